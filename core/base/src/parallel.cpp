@@ -1,0 +1,94 @@
+#include "lorica/base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "lorica/base/error.h"
+
+#ifndef LORICA_PLAIN_THREADS
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace lorica::base {
+
+int machineThreads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+#ifdef LORICA_PLAIN_THREADS
+
+namespace {
+
+void spread(std::size_t count, std::size_t grain, int threads,
+            const std::function<void(std::size_t, std::size_t)>& body) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failureMutex;
+  const auto work = [&] {
+    for (std::size_t begin = next.fetch_add(grain); begin < count; begin = next.fetch_add(grain)) {
+      try {
+        body(begin, std::min(begin + grain, count));
+      } catch (...) {
+        const std::lock_guard lock(failureMutex);
+        failure = failure ? failure : std::current_exception();
+      }
+    }
+  };
+  std::vector<std::thread> crew;
+  for (int i = 1; i < threads; ++i) {
+    crew.emplace_back(work);
+  }
+  work();
+  for (std::thread& member : crew) {
+    member.join();
+  }
+  if (failure) {
+    std::rethrow_exception(failure);
+  }
+}
+
+}  // namespace
+
+#else
+
+namespace {
+
+void spread(std::size_t count, std::size_t grain, int threads,
+            const std::function<void(std::size_t, std::size_t)>& body) {
+  const auto loop = [&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, grain),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t begin = range.begin(); begin < range.end(); begin += grain) {
+            body(begin, std::min(begin + grain, range.end()));
+          }
+        },
+        tbb::simple_partitioner());
+  };
+  // An arena of its own keeps the promised number of threads, also on a machine with fewer cores.
+  tbb::task_arena arena(threads);
+  arena.execute(loop);
+}
+
+}  // namespace
+
+#endif
+
+void parallelFor(std::size_t count, std::size_t grain, Threads threads,
+                 const std::function<void(std::size_t begin, std::size_t end)>& body) {
+  LORICA_CHECK(grain > 0, "a range needs at least one index");
+  const int wanted = threads.count > 0 ? threads.count : machineThreads();
+  if (wanted == 1 || count <= grain) {
+    for (std::size_t begin = 0; begin < count; begin += grain) {
+      body(begin, std::min(begin + grain, count));
+    }
+    return;
+  }
+  spread(count, grain, wanted, body);
+}
+
+}  // namespace lorica::base

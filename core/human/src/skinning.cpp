@@ -1,0 +1,1 @@
+#include "lorica/human/skinning.h"

@@ -1,0 +1,54 @@
+#pragma once
+
+/// \file
+/// The study's file: JSON, versioned, defaults omitted, described by resources/schema/study.schema.json.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "lorica/base/issue.h"
+#include "lorica/study/study.h"
+
+namespace lorica::study {
+
+/// Version written by this program. Older ones are upgraded by reading, newer ones refused.
+inline constexpr int studyVersion = 1;
+
+/// \param file how errors name the text
+/// \throw base::InputError with line and column (syntax) or JSON pointer (content) and what was expected there
+Study parseStudy(std::string_view json, const std::string& file);
+
+/// Canonical text: parseStudy(studyText(s)) == s, and equal studies have equal text.
+std::string studyText(const Study& study);
+
+/// Reads and parses. \throw base::InputError
+Study loadStudy(const std::filesystem::path& path);
+
+/// Saves atomically. \throw base::InputError
+void saveStudy(const Study& study, const std::filesystem::path& path);
+
+/// All the study's input files, each path once, in the order of the study.
+std::vector<InputFile> inputFiles(const Study& study);
+
+/// Checks that every input file exists and has its hash. An empty hash passes (a study written by hand).
+/// \return one issue of severity error per missing or changed file, saying what to do
+base::Issues checkInputs(const Study& study, const std::filesystem::path& studyFile);
+
+/// The study with every input's hash as its file is now.
+Study withCurrentHashes(const Study& study, const std::filesystem::path& studyFile);
+
+/// SHA-256 of a file's bytes, lower-case hexadecimal. For a .gltf, over its bytes followed by those of every buffer
+/// file it names, in order. \throw base::InputError
+std::string sha256OfInput(const std::filesystem::path& path);
+std::string sha256(std::string_view bytes);
+
+/// Absolute path of an input.
+std::filesystem::path resolve(const InputFile& input, const std::filesystem::path& studyFile);
+
+/// Names and texts of the sample studies built into the program, each with `description` fields.
+std::vector<std::string> templateNames();
+/// \throw base::InputError for an unknown name, listing the known ones
+std::string templateText(std::string_view name);
+
+}  // namespace lorica::study
