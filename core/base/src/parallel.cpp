@@ -17,7 +17,9 @@
 
 namespace lorica::base {
 
-int machineThreads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int machineThreads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 #ifdef LORICA_PLAIN_THREADS
 

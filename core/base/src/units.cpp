@@ -31,8 +31,7 @@ std::string name(LengthUnit unit) {
 }
 
 std::optional<LengthUnit> lengthUnitNamed(std::string_view wanted) {
-  for (const LengthUnit unit :
-       {LengthUnit::metre, LengthUnit::centimetre, LengthUnit::millimetre, LengthUnit::inch}) {
+  for (const LengthUnit unit : {LengthUnit::metre, LengthUnit::centimetre, LengthUnit::millimetre, LengthUnit::inch}) {
     if (name(unit) == wanted) {
       return unit;
     }

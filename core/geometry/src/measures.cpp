@@ -71,8 +71,7 @@ std::vector<Vec3f> vertexNormals(std::span<const Vec3f> positions, std::span<con
   std::vector<Vec3d> sums(positions.size(), Vec3d::Zero());
   for (const Triangle& triangle : triangles) {
     const Vec3d a = positions[triangle[0]].cast<double>();
-    const Vec3d normal =
-        (positions[triangle[1]].cast<double>() - a).cross(positions[triangle[2]].cast<double>() - a);
+    const Vec3d normal = (positions[triangle[1]].cast<double>() - a).cross(positions[triangle[2]].cast<double>() - a);
     for (const std::uint32_t vertex : triangle) {
       sums[vertex] += normal;
     }

@@ -43,8 +43,7 @@ TriangleMesh ellipsoid(const Vec3d& centre, const Vec3d& semiAxes, int subdivisi
   for (int level = 0; level < subdivisions; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [place, isNew] =
-          middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(directions.size()));
+      const auto [place, isNew] = middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(directions.size()));
       if (isNew) {
         directions.push_back((directions[a] + directions[b]).normalized());
       }

@@ -25,7 +25,9 @@ struct KeyHash {
   }
 };
 
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value + 0.0F); }  // + 0 turns -0 into 0
+std::uint32_t bits(float value) {
+  return std::bit_cast<std::uint32_t>(value + 0.0F);
+}  // + 0 turns -0 into 0
 
 }  // namespace
 

@@ -51,9 +51,9 @@ class CallerError : public std::logic_error {
 }  // namespace lorica::base
 
 /// Always-on check of a precondition.
-#define LORICA_CHECK(condition, text)                                          \
-  do {                                                                         \
-    if (!(condition)) {                                                        \
-      ::lorica::base::throwCallerError(#condition, __func__, text);            \
-    }                                                                          \
+#define LORICA_CHECK(condition, text)                               \
+  do {                                                              \
+    if (!(condition)) {                                             \
+      ::lorica::base::throwCallerError(#condition, __func__, text); \
+    }                                                               \
   } while (false)

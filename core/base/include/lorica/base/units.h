@@ -17,9 +17,13 @@ double metresPer(LengthUnit unit);
 /// "m", "cm", "mm" or "in".
 std::string name(LengthUnit unit);
 /// The inverse of name().
-std::optional<LengthUnit> lengthUnitNamed(std::string_view name);
+std::optional<LengthUnit> lengthUnitNamed(std::string_view wanted);
 
-constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
-constexpr double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+constexpr double radians(double degrees) {
+  return degrees * std::numbers::pi / 180.0;
+}
+constexpr double degrees(double radians) {
+  return radians * 180.0 / std::numbers::pi;
+}
 
 }  // namespace lorica::base

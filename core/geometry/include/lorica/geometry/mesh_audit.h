@@ -17,13 +17,13 @@ struct Component {
 };
 
 struct MeshAudit {
-  std::vector<Component> components;            ///< in the order of their first triangle
-  std::vector<std::uint32_t> componentOf;       ///< per triangle
-  std::vector<bool> openEdge;                   ///< per triangle and side (3 * t + k, side k from corner k to k + 1)
-  std::size_t boundaryEdges = 0;                ///< edges used once
-  std::size_t oddEdges = 0;                     ///< edges used more than twice, or twice in the same direction
-  std::size_t degenerateTriangles = 0;          ///< triangles without area
-  bool closed() const;                          ///< all components are closed, and there is one at least
+  std::vector<Component> components;       ///< in the order of their first triangle
+  std::vector<std::uint32_t> componentOf;  ///< per triangle
+  std::vector<bool> openEdge;              ///< per triangle and side (3 * t + k, side k from corner k to k + 1)
+  std::size_t boundaryEdges = 0;           ///< edges used once
+  std::size_t oddEdges = 0;                ///< edges used more than twice, or twice in the same direction
+  std::size_t degenerateTriangles = 0;     ///< triangles without area
+  bool closed() const;                     ///< all components are closed, and there is one at least
 };
 
 /// Cost: one sort of the edges. \pre mesh is welded, else seams read as boundaries

@@ -32,7 +32,9 @@ struct PaddedAllocator {
   T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T) + 16)); }
   void deallocate(T* p, std::size_t) noexcept { ::operator delete(p); }
   template <class U>
-  bool operator==(const PaddedAllocator<U>&) const noexcept { return true; }
+  bool operator==(const PaddedAllocator<U>&) const noexcept {
+    return true;
+  }
 };
 
 /// Vertex positions of one mesh; may be shared with the ray tracer and the graphics card without a copy.

@@ -8,9 +8,9 @@
 namespace lorica::geometry {
 
 struct Welded {
-  TriangleMesh mesh;                       ///< first of the equal vertices kept, in their old order
-  std::vector<std::uint32_t> sourceOf;     ///< for each kept vertex, its index in the input
-  std::size_t droppedTriangles = 0;        ///< triangles that used one welded vertex twice
+  TriangleMesh mesh;                    ///< first of the equal vertices kept, in their old order
+  std::vector<std::uint32_t> sourceOf;  ///< for each kept vertex, its index in the input
+  std::size_t droppedTriangles = 0;     ///< triangles that used one welded vertex twice
 };
 
 /// Joins vertices at exactly the same position (0 and -0 are the same), as files split them by normals or texture

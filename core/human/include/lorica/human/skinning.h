@@ -16,7 +16,7 @@ namespace lorica::human {
 /// Joints and weights of every vertex. The influences of a vertex stand together, strongest first; unused places
 /// have weight 0. Weights of a vertex sum to 1.
 struct SkinWeights {
-  std::size_t influences = 0;        ///< places per vertex
+  std::size_t influences = 0;         ///< places per vertex
   std::vector<std::uint32_t> joints;  ///< influences * vertices, indices into the skeleton
   std::vector<float> weights;         ///< as many
 

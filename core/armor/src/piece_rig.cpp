@@ -1,0 +1,150 @@
+#include "lorica/armor/piece_rig.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lorica/base/error.h"
+#include "lorica/geometry/measures.h"
+
+namespace lorica::armor {
+
+using geometry::Vec3d;
+using geometry::Vec3f;
+
+namespace {
+
+/// The piece's weights on the body's joints; nothing when a joint has no namesake there.
+std::optional<human::SkinWeights> renamed(const human::SkinWeights& own, const human::Skeleton& from,
+                                          const human::Skeleton& to, std::string& missing) {
+  std::vector<std::uint32_t> joint(from.size(), 0);
+  std::vector<char> used(from.size(), 0);
+  for (std::size_t i = 0; i < own.joints.size(); ++i) {
+    used[own.joints[i]] = used[own.joints[i]] != 0 || own.weights[i] > 0.0F ? 1 : 0;
+  }
+  for (std::size_t j = 0; j < from.size(); ++j) {
+    const auto namesake = to.find(from.joints()[j].name);
+    if (used[j] != 0 && !namesake) {
+      missing = from.joints()[j].name;
+      return std::nullopt;
+    }
+    joint[j] = namesake ? namesake->value : 0;
+  }
+  human::SkinWeights result = own;
+  for (std::uint32_t& j : result.joints) {
+    j = joint[j];
+  }
+  return result;
+}
+
+/// Weights of the nearest place on the skin, for every vertex.
+human::SkinWeights weightsOfNearestSkin(std::span<const Vec3f> positions, const parenting::BodyRig& body,
+                                        base::Threads threads) {
+  const human::SkinWeights& skin = *body.body().weights;
+  const std::size_t stride = 3 * skin.influences;
+  std::vector<human::Influence> influences(positions.size() * stride);
+  base::parallelFor(positions.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const auto nearest = raycast::closestPoint(body.restScene(), positions[v].cast<double>());
+      if (!nearest) {
+        continue;
+      }
+      const geometry::Triangle& corner = body.body().skin.triangles[nearest->triangle];
+      for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t k = 0; k < skin.influences; ++k) {
+          const std::size_t at = corner[c] * skin.influences + k;
+          influences[v * stride + c * skin.influences + k] = {
+              skin.joints[at], std::max(0.0, nearest->barycentric[static_cast<Eigen::Index>(c)]) *
+                                   static_cast<double>(skin.weights[at])};
+        }
+      }
+    }
+  });
+  return human::normaliseWeights(influences, stride).weights;
+}
+
+void bindSoft(PieceRig& piece, const std::string& name, const parenting::BodyRig& body,
+              const human::SkinWeights* ownWeights, const human::Skeleton* ownSkeleton, base::Threads threads) {
+  if (!body.body().skeleton) {
+    return;
+  }
+  if (ownWeights != nullptr && ownSkeleton != nullptr) {
+    std::string missing;
+    piece.weights = renamed(*ownWeights, *ownSkeleton, *body.body().skeleton, missing);
+    if (piece.weights) {
+      return;
+    }
+    piece.issues.push_back({base::Severity::note, "", name,
+                            fmt::format("is skinned to a joint \"{}\" that the body does not have; it takes the "
+                                        "weights of the nearest skin instead of its own",
+                                        missing)});
+  }
+  piece.weights = weightsOfNearestSkin(piece.rest.positions, body, threads);
+}
+
+}  // namespace
+
+PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriage carriage,
+                   const parenting::BodyRig& body, const human::SkinWeights* ownWeights,
+                   const human::Skeleton* ownSkeleton, base::Threads threads) {
+  LORICA_CHECK(!rest.positions.empty(), "a piece with vertices");
+  PieceRig piece;
+  piece.rest = std::move(rest);
+  piece.carriage = carriage;
+  if (carriage == Carriage::skinned) {
+    bindSoft(piece, name, body, ownWeights, ownSkeleton, threads);
+    return piece;
+  }
+  if (body.sites().empty()) {
+    piece.issues.push_back({base::Severity::warning, "", name,
+                            "the body has no interior site that could carry this rigid piece; it stays where it is"});
+    return piece;
+  }
+  piece.site = parenting::nearestSite(body.sites(), geometry::centroid(piece.rest));
+  piece.hasSite = true;
+  return piece;
+}
+
+std::vector<human::SkinningDelta> pieceDeltas(const parenting::BodyRig& body,
+                                              const std::optional<human::Pose>& pose) {
+  if (!body.body().skeleton) {
+    return {};
+  }
+  return human::skinningDeltas(*body.body().skeleton, pose ? *pose : human::restPose(*body.body().skeleton));
+}
+
+void posePiece(const PieceRig& piece, const parenting::PosedBody& pose,
+               std::span<const human::SkinningDelta> deltas, std::span<Vec3f> posed, base::Threads threads) {
+  LORICA_CHECK(posed.size() == piece.rest.positions.size(), "one place per vertex");
+  if (piece.carriage == Carriage::skinned && piece.weights) {
+    human::skin(piece.rest.positions, *piece.weights, deltas, posed, threads);
+    return;
+  }
+  const bool carried = piece.carriage == Carriage::rigid && piece.hasSite;
+  const geometry::Positions moved =
+      carried ? geometry::transformed(piece.rest.positions, pose.sites.carry[piece.site]) : piece.rest.positions;
+  std::copy(moved.begin(), moved.end(), posed.begin());
+}
+
+Penetration penetration(std::span<const Vec3f> positions, const parenting::BodyRig& body, base::Threads threads) {
+  std::vector<double> depth(positions.size(), -1.0);
+  base::parallelFor(positions.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
+    raycast::Caster caster(body.restScene());
+    for (std::size_t v = begin; v < end; ++v) {
+      const Vec3d point = positions[v].cast<double>();
+      if (raycast::windingNumber(caster, body.skinMesh(), point) >= 1) {
+        const auto nearest = raycast::closestPoint(body.restScene(), point);
+        depth[v] = nearest ? nearest->distance : 0.0;
+      }
+    }
+  });
+  Penetration result;
+  result.vertices = positions.size();
+  for (const double d : depth) {
+    result.inside += d >= 0.0 ? 1 : 0;
+    result.deepest = std::max(result.deepest, d);
+  }
+  return result;
+}
+
+}  // namespace lorica::armor

@@ -1,0 +1,291 @@
+#include "lorica/raycast/caster.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "embree.h"
+#include "lorica/base/error.h"
+
+namespace lorica::raycast {
+
+using geometry::Vec3d;
+using geometry::Vec3f;
+
+namespace {
+
+/// Which side of the edge from p to q the ray passes, seen from its origin. Swapping p and q turns the sign exactly,
+/// also in floating point, so two triangles at an edge never both win or both lose the ray.
+double edgeFunction(const Vec3d& direction, const Vec3d& p, const Vec3d& q) {
+  const Vec3d normal = q.cross(p);
+  const double side = direction.dot(normal);
+  if (side != 0.0) {
+    return side;
+  }
+  // The ray meets the edge: decide as if its direction were turned by (e, e^2, e^3), e -> 0. The result only needs
+  // the right sign; it is as good as zero.
+  for (int axis = 0; axis < 3; ++axis) {
+    if (normal[axis] != 0.0) {
+      return std::copysign(1e-300, normal[axis]);
+    }
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+void CastCounts::add(const CastCounts& other) {
+  rays += other.rays;
+  retraced += other.retraced;
+  unresolved += other.unresolved;
+  nearOpenEdge += other.nearOpenEdge;
+}
+
+std::optional<Crossing> crossing(const Ray& ray, const Vec3f& fa, const Vec3f& fb, const Vec3f& fc) {
+  const Vec3d origin = ray.origin.cast<double>();
+  const Vec3d direction = ray.direction.cast<double>();
+  const Vec3d a = fa.cast<double>() - origin;
+  const Vec3d b = fb.cast<double>() - origin;
+  const Vec3d c = fc.cast<double>() - origin;
+  const double ab = edgeFunction(direction, a, b);
+  const double bc = edgeFunction(direction, b, c);
+  const double ca = edgeFunction(direction, c, a);
+  const bool entering = ab > 0.0 && bc > 0.0 && ca > 0.0;
+  const bool leaving = ab < 0.0 && bc < 0.0 && ca < 0.0;
+  if (!entering && !leaving) {
+    return std::nullopt;
+  }
+  const Vec3d normal = (b - a).cross(c - a);
+  const double slope = direction.dot(normal);
+  if (slope == 0.0) {
+    return std::nullopt;
+  }
+  const double t = a.dot(normal) / slope;
+  if (!(t >= 0.0)) {
+    return std::nullopt;
+  }
+  return Crossing{t, entering};
+}
+
+namespace {
+
+bool shareCorner(const geometry::Triangle& first, const geometry::Triangle& second) {
+  return std::any_of(first.begin(), first.end(), [&](std::uint32_t vertex) {
+    return std::find(second.begin(), second.end(), vertex) != second.end();
+  });
+}
+
+}  // namespace
+
+void sortAndMerge(std::vector<Hit>& hits, const Scene& scene) {
+  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+    if (a.t != b.t) {
+      return a.t < b.t;
+    }
+    if (a.mesh != b.mesh) {
+      return a.mesh < b.mesh;
+    }
+    return a.component != b.component ? a.component < b.component : a.triangle < b.triangle;
+  });
+  constexpr double tolerance = 1e-9;
+  std::size_t kept = 0;
+  for (const Hit& hit : hits) {
+    bool repeats = false;
+    for (std::size_t k = kept; k-- > 0 && hit.t - hits[k].t <= tolerance * hit.t;) {
+      if (hits[k].mesh == hit.mesh && hits[k].component == hit.component && hits[k].entering == hit.entering) {
+        const auto& triangles = scene.topology(MeshIndex{hit.mesh}).triangles;
+        repeats = repeats || hits[k].triangle == hit.triangle ||
+                  shareCorner(triangles[hits[k].triangle], triangles[hit.triangle]);
+      }
+    }
+    if (!repeats) {
+      hits[kept++] = hit;
+    }
+  }
+  hits.resize(kept);
+}
+
+/// What travels with a ray through Embree. The base must stand first: Embree hands back a pointer to it.
+struct Caster::Context {
+#if RTC_VERSION_MAJOR >= 4
+  RTCRayQueryContext base;
+#else
+  RTCIntersectContext base;
+#endif
+  std::vector<Candidate>* candidates;
+
+  static void record(const RTCFilterFunctionNArguments* arguments) {
+    auto* context = reinterpret_cast<Context*>(arguments->context);
+    const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+    context->candidates->push_back({hit->geomID, hit->primID});
+    arguments->valid[0] = 0;
+  }
+};
+
+Caster::Caster(const Scene& scene) : scene_(&scene), sums_(scene.meshes()) {
+  for (std::size_t m = 0; m < sums_.size(); ++m) {
+    sums_[m].assign(scene.topology(MeshIndex{m}).closed.size(), 0);
+  }
+}
+
+std::span<const Hit> Caster::cast(const Ray& ray) {
+  candidates_.clear();
+  hits_.clear();
+  RTCRayHit query{};
+  query.ray.org_x = ray.origin.x();
+  query.ray.org_y = ray.origin.y();
+  query.ray.org_z = ray.origin.z();
+  query.ray.dir_x = ray.direction.x();
+  query.ray.dir_y = ray.direction.y();
+  query.ray.dir_z = ray.direction.z();
+  query.ray.tfar = std::numeric_limits<float>::infinity();
+  query.ray.mask = 0xFFFFFFFFU;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  Context context{};
+  context.candidates = &candidates_;
+#if RTC_VERSION_MAJOR >= 4
+  rtcInitRayQueryContext(&context.base);
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context.base;
+  arguments.filter = Context::record;
+  arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+  rtcIntersect1(scene_->impl_->scene, &query, &arguments);
+#else
+  rtcInitIntersectContext(&context.base);
+  context.base.filter = Context::record;
+  rtcIntersect1(scene_->impl_->scene, &context.base, &query);
+#endif
+  ++counts_.rays;
+  decide(ray);
+  balance(ray);
+  return hits_;
+}
+
+void Caster::decide(const Ray& ray) {
+  bool nearOpen = false;
+  for (const Candidate& candidate : candidates_) {
+    const MeshTopology& topology = *scene_->impl_->meshes[candidate.mesh].topology;
+    nearOpen = nearOpen || (topology.hasOpenEdges && nearOpenEdge(ray, candidate));
+    if (decideOne(ray, candidate.mesh, candidate.triangle)) {
+      continue;
+    }
+    // Single precision took this triangle where double precision takes one beside it.
+    for (const std::uint32_t vertex : topology.triangles[candidate.triangle]) {
+      for (std::uint32_t r = topology.ringStart[vertex]; r < topology.ringStart[vertex + 1]; ++r) {
+        if (topology.ring[r] != candidate.triangle) {
+          decideOne(ray, candidate.mesh, topology.ring[r]);
+        }
+      }
+    }
+  }
+  counts_.nearOpenEdge += nearOpen ? 1 : 0;
+  sortAndMerge(hits_, *scene_);
+}
+
+bool Caster::decideOne(const Ray& ray, std::uint32_t mesh, std::uint32_t triangle) {
+  const Scene::Impl::Mesh& target = scene_->impl_->meshes[mesh];
+  const geometry::Triangle& corner = target.topology->triangles[triangle];
+  const auto found =
+      crossing(ray, target.positions[corner[0]], target.positions[corner[1]], target.positions[corner[2]]);
+  if (found) {
+    hits_.push_back({found->t, mesh, target.topology->componentOf[triangle], triangle, found->entering});
+  }
+  return found.has_value();
+}
+
+bool Caster::nearOpenEdge(const Ray& ray, const Candidate& candidate) const {
+  const Scene::Impl::Mesh& target = scene_->impl_->meshes[candidate.mesh];
+  const geometry::Triangle& corner = target.topology->triangles[candidate.triangle];
+  const Vec3d direction = ray.direction.cast<double>();
+  const Vec3d origin = ray.origin.cast<double>();
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!target.topology->openEdge[3 * candidate.triangle + k]) {
+      continue;
+    }
+    const Vec3d p = target.positions[corner[k]].cast<double>() - origin;
+    const Vec3d q = target.positions[corner[(k + 1) % 3]].cast<double>() - origin;
+    // Volume over area is the distance between the two lines.
+    const double distance = std::abs(direction.dot(q.cross(p)));
+    if (distance <= 1e-6 * direction.cross(q - p).norm() * std::max(p.norm(), q.norm())) {
+      return true;
+    }
+  }
+  return false;
+}
+
+int Caster::originWinding(const Ray& ray, std::uint32_t mesh, std::uint32_t component) {
+  if (ray.origin != windingOrigin_) {
+    windings_.clear();
+    windingOrigin_ = ray.origin;
+  }
+  const std::uint64_t key = (std::uint64_t{mesh} << 32U) | component;
+  const auto known =
+      std::find_if(windings_.begin(), windings_.end(), [&](const auto& entry) { return entry.first == key; });
+  if (known != windings_.end()) {
+    return known->second;
+  }
+  // Straight along one axis; the crossings of a closed component tell how often it winds around the origin.
+  const Scene::Impl::Mesh& target = scene_->impl_->meshes[mesh];
+  const Ray probe{ray.origin, Vec3f(0.5477F, 0.6231F, 0.5583F)};
+  int winding = 0;
+  for (std::size_t t = 0; t < target.topology->triangles.size(); ++t) {
+    if (target.topology->componentOf[t] == component) {
+      const geometry::Triangle& corner = target.topology->triangles[t];
+      const auto found =
+          crossing(probe, target.positions[corner[0]], target.positions[corner[1]], target.positions[corner[2]]);
+      winding -= found ? (found->entering ? 1 : -1) : 0;
+    }
+  }
+  windings_.emplace_back(key, winding);
+  return winding;
+}
+
+void Caster::findUnbalanced(const Ray& ray, std::vector<std::uint32_t>& meshes) {
+  meshes.clear();
+  for (const Hit& hit : hits_) {
+    sums_[hit.mesh][hit.component] += hit.sign();
+  }
+  for (const Hit& hit : hits_) {
+    int& sum = sums_[hit.mesh][hit.component];
+    const bool closed = scene_->impl_->meshes[hit.mesh].topology->closed[hit.component];
+    if (sum != 0 && closed && sum != -originWinding(ray, hit.mesh, hit.component)) {
+      meshes.push_back(hit.mesh);
+    }
+    sum = 0;
+  }
+  std::sort(meshes.begin(), meshes.end());
+  meshes.erase(std::unique(meshes.begin(), meshes.end()), meshes.end());
+}
+
+void Caster::balance(const Ray& ray) {
+  findUnbalanced(ray, suspects_);
+  if (suspects_.empty()) {
+    return;
+  }
+  ++counts_.retraced;
+  for (const std::uint32_t mesh : suspects_) {
+    std::erase_if(hits_, [&](const Hit& hit) { return hit.mesh == mesh; });
+    const std::size_t triangles = scene_->impl_->meshes[mesh].topology->triangles.size();
+    for (std::size_t t = 0; t < triangles; ++t) {
+      decideOne(ray, mesh, static_cast<std::uint32_t>(t));
+    }
+  }
+  sortAndMerge(hits_, *scene_);
+  findUnbalanced(ray, suspects_);
+  counts_.unresolved += suspects_.empty() ? 0 : 1;
+}
+
+int windingNumber(Caster& caster, MeshIndex mesh, const Vec3d& point) {
+  int winding = 0;
+  // A direction without symmetry, so that it runs along no edge of a regular mesh.
+  const Ray probe{point.cast<float>(), Vec3f(0.1367F, 0.0519F, 0.9893F)};
+  for (const Hit& hit : caster.cast(probe)) {
+    if (hit.mesh == mesh.value && caster.isClosed(hit)) {
+      winding -= hit.sign();
+    }
+  }
+  return winding;
+}
+
+}  // namespace lorica::raycast

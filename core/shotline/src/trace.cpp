@@ -1,0 +1,190 @@
+#include "lorica/shotline/trace.h"
+
+#include <algorithm>
+#include <mutex>
+#include <limits>
+
+#include "lorica/base/error.h"
+
+namespace lorica::shotline {
+
+using geometry::Vec3f;
+
+ShotCounter::ShotCounter(const TargetLayout& layout)
+    : layout_(&layout),
+      tally_(layout),
+      seen_(layout.regions + layout.pieces() + layout.organs * layout.models, 0),
+      armorOrder_(layout.systems, never),
+      firstOrganOrder_(layout.models, never) {}
+
+void ShotCounter::touch(std::uint32_t target, std::uint32_t order) {
+  if (seen_[target] == 0) {
+    seen_[target] = 1;
+    touched_.push_back({target, order});
+  }
+}
+
+void ShotCounter::count(std::span<const raycast::Hit> hits) {
+  ++tally_.shots_;
+  if (hits.empty()) {
+    return;
+  }
+  const auto regions = static_cast<std::uint32_t>(layout_->regions);
+  const auto pieces = static_cast<std::uint32_t>(layout_->pieces());
+  for (std::uint32_t order = 0; order < hits.size(); ++order) {
+    const raycast::Hit& hit = hits[order];
+    if (hit.mesh == 0) {
+      skinOrder_ = std::min(skinOrder_, order);
+      touch(layout_->regionOfTriangle[hit.triangle], order);
+    } else {
+      touch(regions + hit.mesh - 1, order);
+      if (hit.mesh <= pieces) {
+        std::uint32_t& first = armorOrder_[layout_->pieceSystem[hit.mesh - 1]];
+        first = std::min(first, order);
+      } else {
+        std::uint32_t& first = firstOrganOrder_[(hit.mesh - 1 - pieces) / layout_->organs];
+        first = std::min(first, order);
+      }
+    }
+  }
+  if (skinOrder_ != never) {
+    ++tally_.body_.any;
+    for (std::size_t s = 0; s < layout_->systems; ++s) {
+      tally_.bodyShielded_[s] += armorOrder_[s] < skinOrder_ ? 1 : 0;
+    }
+  }
+  const std::uint64_t body = skinOrder_ != never ? 1 : 0;
+  for (std::size_t s = 0; s < layout_->systems; ++s) {
+    if (armorOrder_[s] != never) {
+      Count& any = tally_.anyArmor_[s];
+      ++any.any;
+      any.first += armorOrder_[s] < skinOrder_ ? 1 : 0;
+      any.withBody += body;
+    }
+    for (std::size_t m = 0; m < layout_->models; ++m) {
+      if (firstOrganOrder_[m] != never) {
+        Count& any = tally_.anyOrgan_[m * layout_->systems + s];
+        ++any.any;
+        ++any.first;
+        any.shielded += armorOrder_[s] < firstOrganOrder_[m] ? 1 : 0;
+        any.withBody += body;
+      }
+    }
+  }
+  for (const Touched& touched : touched_) {
+    seen_[touched.target] = 0;
+    if (touched.target < regions) {
+      countSkin(touched);
+    } else if (touched.target < regions + pieces) {
+      countPiece(touched.target - regions, touched.order);
+    } else {
+      countOrgan(touched.target - regions - pieces, touched.order);
+    }
+  }
+  touched_.clear();
+  std::fill(armorOrder_.begin(), armorOrder_.end(), never);
+  std::fill(firstOrganOrder_.begin(), firstOrganOrder_.end(), never);
+  skinOrder_ = never;
+}
+
+void ShotCounter::countSkin(const Touched& touched) {
+  for (std::size_t s = 0; s < layout_->systems; ++s) {
+    Count& count = tally_.regions_[touched.target * layout_->systems + s];
+    const bool shielded = armorOrder_[s] < touched.order;
+    ++count.any;
+    ++count.withBody;
+    count.shielded += shielded ? 1 : 0;
+    count.first += !shielded && touched.order == skinOrder_ ? 1 : 0;
+  }
+}
+
+void ShotCounter::countPiece(std::uint32_t piece, std::uint32_t order) {
+  Count& count = tally_.pieces_[piece];
+  ++count.any;
+  count.withBody += skinOrder_ != never ? 1 : 0;
+  count.first += order < skinOrder_ ? 1 : 0;
+  count.shielded += armorOrder_[layout_->pieceSystem[piece]] < order ? 1 : 0;
+}
+
+void ShotCounter::countOrgan(std::uint32_t slot, std::uint32_t order) {
+  const bool first = firstOrganOrder_[slot / layout_->organs] == order;
+  for (std::size_t s = 0; s < layout_->systems; ++s) {
+    Count& count = tally_.organs_[slot * layout_->systems + s];
+    ++count.any;
+    count.first += first ? 1 : 0;
+    count.withBody += skinOrder_ != never ? 1 : 0;
+    count.shielded += armorOrder_[s] < order ? 1 : 0;
+  }
+}
+
+namespace {
+
+/// Spreads the low 10 bits to every third place.
+std::uint32_t spread(std::uint32_t v) {
+  v = (v | (v << 16U)) & 0x030000FFU;
+  v = (v | (v << 8U)) & 0x0300F00FU;
+  v = (v | (v << 4U)) & 0x030C30C3U;
+  return (v | (v << 2U)) & 0x09249249U;
+}
+
+/// Rays as neighbours in this order run through the same part of the scene (Morton order of the directions within the
+/// box they span). Which order shots are traced in changes no count.
+void sortForCoherence(std::vector<raycast::Ray>& rays, std::vector<std::pair<std::uint32_t, std::uint32_t>>& keys,
+                      std::vector<raycast::Ray>& sorted) {
+  Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
+  Vec3f high = -low;
+  for (const raycast::Ray& ray : rays) {
+    low = low.cwiseMin(ray.direction);
+    high = high.cwiseMax(ray.direction);
+  }
+  const Vec3f scale = (high - low).cwiseMax(1e-30F).cwiseInverse() * 1023.0F;
+  keys.resize(rays.size());
+  for (std::uint32_t i = 0; i < rays.size(); ++i) {
+    const Vec3f cell = (rays[i].direction - low).cwiseProduct(scale);
+    keys[i] = {spread(static_cast<std::uint32_t>(cell.x())) | (spread(static_cast<std::uint32_t>(cell.y())) << 1U) |
+                   (spread(static_cast<std::uint32_t>(cell.z())) << 2U),
+               i};
+  }
+  std::sort(keys.begin(), keys.end());
+  sorted.resize(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    sorted[i] = rays[keys[i].second];
+  }
+}
+
+}  // namespace
+
+TraceResult trace(const raycast::Scene& scene, const TargetLayout& layout, const ShotGenerator& shots,
+                  std::uint64_t count, base::Threads threads, const base::Progress& progress) {
+  LORICA_CHECK(scene.meshes() == layout.meshes(), "the scene's meshes stand as the layout says");
+  constexpr std::uint64_t block = 16384;
+  const std::uint64_t blocks = (count + block - 1) / block;
+  TraceResult result{Tally(layout), {}};
+  std::mutex merging;
+  std::uint64_t done = 0;
+  base::parallelFor(blocks, 1, threads, [&](std::size_t begin, std::size_t end) {
+    raycast::Caster caster(scene);
+    ShotCounter counter(layout);
+    std::vector<raycast::Ray> rays;
+    std::vector<raycast::Ray> sorted;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> keys;
+    for (std::size_t b = begin; b < end; ++b) {
+      progress.check();
+      rays.clear();
+      for (std::uint64_t shot = b * block; shot < std::min(count, (b + 1) * block); ++shot) {
+        rays.push_back(shots.shot(shot));
+      }
+      sortForCoherence(rays, keys, sorted);
+      for (const raycast::Ray& ray : sorted) {
+        counter.count(caster.cast(ray));
+      }
+    }
+    const std::lock_guard lock(merging);
+    result.tally.add(counter.tally());
+    result.counts.add(caster.counts());
+    progress.report(static_cast<double>(done += end - begin) / static_cast<double>(blocks));
+  });
+  return result;
+}
+
+}  // namespace lorica::shotline
