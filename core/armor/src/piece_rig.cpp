@@ -126,25 +126,4 @@ void posePiece(const PieceRig& piece, const parenting::PosedBody& pose,
   std::copy(moved.begin(), moved.end(), posed.begin());
 }
 
-Penetration penetration(std::span<const Vec3f> positions, const parenting::BodyRig& body, base::Threads threads) {
-  std::vector<double> depth(positions.size(), -1.0);
-  base::parallelFor(positions.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
-    raycast::Caster caster(body.restScene());
-    for (std::size_t v = begin; v < end; ++v) {
-      const Vec3d point = positions[v].cast<double>();
-      if (raycast::windingNumber(caster, body.skinMesh(), point) >= 1) {
-        const auto nearest = raycast::closestPoint(body.restScene(), point);
-        depth[v] = nearest ? nearest->distance : 0.0;
-      }
-    }
-  });
-  Penetration result;
-  result.vertices = positions.size();
-  for (const double d : depth) {
-    result.inside += d >= 0.0 ? 1 : 0;
-    result.deepest = std::max(result.deepest, d);
-  }
-  return result;
-}
-
 }  // namespace lorica::armor

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
+#include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/winding.h"
 
@@ -22,6 +24,9 @@ class Forest {
     return v;
   }
   void join(std::uint32_t a, std::uint32_t b) {
+    if (parent_[a] == parent_[b]) {
+      return;
+    }
     const std::uint32_t ra = root(a);
     const std::uint32_t rb = root(b);
     parent_[std::max(ra, rb)] = std::min(ra, rb);
@@ -31,49 +36,125 @@ class Forest {
   std::vector<std::uint32_t> parent_;
 };
 
-struct HalfEdge {
-  std::uint64_t key;   // low vertex in the high word, high vertex in the low word
-  std::uint32_t side;  // 3 * triangle + side
-  bool forward;        // from the low vertex to the high one
+/// The sides of all triangles, those with the same lower vertex together.
+class HalfEdges {
+ public:
+  struct HalfEdge {
+    std::uint32_t high;        // the higher vertex
+    std::uint32_t sideAndWay;  // packed: the array is what an audit spends its time on
+
+    HalfEdge() = default;
+    HalfEdge(std::uint32_t higher, std::size_t side, bool fromLower)
+        : high(higher), sideAndWay(static_cast<std::uint32_t>(2 * side + (fromLower ? 1 : 0))) {}
+    std::size_t side() const { return sideAndWay / 2; }   // 3 * triangle + side
+    bool forward() const { return sideAndWay % 2 == 1; }  // from the lower vertex to the higher one
+  };
+
+  explicit HalfEdges(const TriangleMesh& mesh) : begin_(mesh.positions.size() + 1, 0) {
+    LORICA_CHECK(mesh.triangles.size() < UINT32_MAX / 6, "sides are counted in 31 bits");
+    for (const Triangle& t : mesh.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        ++begin_[std::min(t[k], t[(k + 1) % 3]) + 1];
+      }
+    }
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    edges_.resize(3 * mesh.triangles.size());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = mesh.triangles[t][k];
+        const std::uint32_t to = mesh.triangles[t][(k + 1) % 3];
+        edges_[next[std::min(from, to)]++] = {std::max(from, to), 3 * t + k, from < to};
+      }
+    }
+  }
+
+  /// Counts the edges and marks the open ones in `audit`, whose components are known.
+  void judge(MeshAudit& audit) const {
+    std::vector<Tally> tallies(begin_.size() - 1);  // of the edges from one lower vertex, per higher vertex
+    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
+      const std::span<const HalfEdge> bucket(edges_.data() + begin_[v], begin_[v + 1] - begin_[v]);
+      for (const HalfEdge& edge : bucket) {
+        ++tallies[edge.high].uses;
+        tallies[edge.high].balance += edge.forward() ? 1 : -1;
+      }
+      for (const HalfEdge& edge : bucket) {
+        if (tallies[edge.high].balance != 0) {
+          audit.openEdge[edge.side()] = true;
+          audit.components[audit.componentOf[edge.side() / 3]].closed = false;
+        }
+      }
+      for (const HalfEdge& edge : bucket) {
+        Tally& tally = tallies[edge.high];
+        audit.boundaryEdges += tally.uses == 1 ? 1 : 0;
+        audit.oddEdges += (tally.uses > 2 || (tally.uses == 2 && tally.balance != 0)) ? 1 : 0;
+        tally = {};  // so that every edge counts once and the next vertex finds nothing
+      }
+    }
+  }
+
+ private:
+  struct Tally {
+    std::uint32_t uses = 0;
+    std::int32_t balance = 0;  // uses from the lower vertex less those to it
+  };
+  std::vector<std::uint32_t> begin_;  // per vertex, into edges_
+  std::vector<HalfEdge> edges_;
 };
 
-std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh) {
-  std::vector<HalfEdge> edges;
-  edges.reserve(mesh.triangles.size() * 3);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = mesh.triangles[t][k];
-      const std::uint32_t to = mesh.triangles[t][(k + 1) % 3];
-      const std::uint64_t key = (std::uint64_t{std::min(from, to)} << 32U) | std::max(from, to);
-      edges.push_back({key, static_cast<std::uint32_t>(3 * t + k), from < to});
+/// The closed components that may contain others: their boxes, and their triangles when they are asked for.
+class Containers {
+ public:
+  Containers(const TriangleMesh& mesh, const MeshAudit& audit)
+      : mesh_(mesh), audit_(audit), boxes_(audit.components.size()), pieces_(audit.components.size()) {
+    begin_.assign(audit.components.size() + 1, 0);
+    for (std::size_t c = 0; c < audit.components.size(); ++c) {
+      begin_[c + 1] = begin_[c] + audit.components[c].triangles;
     }
-  }
-  std::sort(edges.begin(), edges.end(),
-            [](const HalfEdge& a, const HalfEdge& b) { return a.key != b.key ? a.key < b.key : a.side < b.side; });
-  return edges;
-}
-
-/// The triangles of one component as a mesh that shares the vertex array's numbering.
-TriangleMesh componentMesh(const TriangleMesh& mesh, const MeshAudit& audit, std::uint32_t component) {
-  TriangleMesh piece;
-  std::vector<std::uint32_t> newIndex(mesh.positions.size(), UINT32_MAX);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (audit.componentOf[t] != component) {
-      continue;
-    }
-    Triangle moved{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      std::uint32_t& index = newIndex[mesh.triangles[t][k]];
-      if (index == UINT32_MAX) {
-        index = static_cast<std::uint32_t>(piece.positions.size());
-        piece.positions.push_back(mesh.positions[mesh.triangles[t][k]]);
+    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+    triangles_.resize(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const std::uint32_t component = audit.componentOf[t];
+      triangles_[next[component]++] = t;
+      for (int k = 0; k < 3; ++k) {
+        boxes_[component].extend(mesh.corner(t, k));
       }
-      moved[k] = index;
     }
-    piece.triangles.push_back(moved);
   }
-  return piece;
-}
+
+  bool contain(std::size_t component) {
+    const Vec3d probe = mesh_.corner(triangles_[begin_[component]], 0);
+    for (std::size_t other = 0; other < boxes_.size(); ++other) {
+      const bool bounds = audit_.components[other].closed && audit_.components[other].signedVolume > 0.0;
+      if (other != component && bounds && boxes_[other].contains(probe) && windingNumber(piece(other), probe) > 0.5) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  const TriangleMesh& piece(std::size_t component) {
+    TriangleMesh& piece = pieces_[component];
+    if (piece.triangles.empty()) {
+      for (std::size_t i = begin_[component]; i < begin_[component + 1]; ++i) {
+        const auto corner = static_cast<std::uint32_t>(piece.positions.size());
+        piece.triangles.push_back({corner, corner + 1, corner + 2});
+        for (const std::uint32_t vertex : mesh_.triangles[triangles_[i]]) {
+          piece.positions.push_back(mesh_.positions[vertex]);
+        }
+      }
+    }
+    return piece;
+  }
+
+  const TriangleMesh& mesh_;
+  const MeshAudit& audit_;
+  std::vector<Box3d> boxes_;
+  std::vector<TriangleMesh> pieces_;
+  std::vector<std::size_t> begin_;      // per component, into triangles_
+  std::vector<std::size_t> triangles_;  // component by component
+};
 
 }  // namespace
 
@@ -103,25 +184,7 @@ MeshAudit audit(const TriangleMesh& mesh) {
     ++result.components[component].triangles;
   }
 
-  const std::vector<HalfEdge> edges = sortedHalfEdges(mesh);
-  for (std::size_t begin = 0; begin < edges.size();) {
-    std::size_t end = begin;
-    std::ptrdiff_t balance = 0;
-    while (end < edges.size() && edges[end].key == edges[begin].key) {
-      balance += edges[end].forward ? 1 : -1;
-      ++end;
-    }
-    const std::size_t uses = end - begin;
-    result.boundaryEdges += uses == 1 ? 1 : 0;
-    result.oddEdges += (uses > 2 || (uses == 2 && balance != 0)) ? 1 : 0;
-    if (balance != 0) {
-      for (std::size_t e = begin; e < end; ++e) {
-        result.openEdge[edges[e].side] = true;
-        result.components[result.componentOf[edges[e].side / 3]].closed = false;
-      }
-    }
-    begin = end;
-  }
+  HalfEdges(mesh).judge(result);
 
   const Box3d box = bounds(mesh.positions);
   const Vec3d centre = box.isEmpty() ? Vec3d(Vec3d::Zero()) : Vec3d(box.center());
@@ -129,36 +192,22 @@ MeshAudit audit(const TriangleMesh& mesh) {
     const Vec3d a = mesh.corner(t, 0) - centre;
     const Vec3d b = mesh.corner(t, 1) - centre;
     const Vec3d c = mesh.corner(t, 2) - centre;
-    result.components[result.componentOf[t]].signedVolume += a.dot(b.cross(c)) / 6.0;
-    result.degenerateTriangles += (b - a).cross(c - a).squaredNorm() == 0.0 ? 1 : 0;
+    const Vec3d normal = (b - a).cross(c - a);
+    result.components[result.componentOf[t]].signedVolume += a.dot(normal) / 6.0;
+    result.degenerateTriangles += normal.squaredNorm() == 0.0 ? 1 : 0;
   }
   return result;
 }
 
 std::size_t turnInsideOutComponents(TriangleMesh& mesh, MeshAudit& audit) {
-  std::vector<std::uint32_t> firstTriangle(audit.components.size(), UINT32_MAX);
-  for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
-    firstTriangle[audit.componentOf[t]] = static_cast<std::uint32_t>(t);
+  const auto isInsideOut = [](const Component& c) { return c.closed && c.signedVolume < 0.0; };
+  if (std::none_of(audit.components.begin(), audit.components.end(), isInsideOut)) {
+    return 0;
   }
-  std::vector<TriangleMesh> pieces(audit.components.size());
-  const auto isInsideAnother = [&](std::uint32_t component) {
-    const Vec3d probe = mesh.corner(firstTriangle[component], 0);
-    for (std::uint32_t other = 0; other < audit.components.size(); ++other) {
-      if (other == component || !audit.components[other].closed || audit.components[other].signedVolume <= 0.0) {
-        continue;
-      }
-      if (pieces[other].triangles.empty()) {
-        pieces[other] = componentMesh(mesh, audit, other);
-      }
-      if (bounds(pieces[other].positions).contains(probe) && windingNumber(pieces[other], probe) > 0.5) {
-        return true;
-      }
-    }
-    return false;
-  };
+  Containers containers(mesh, audit);
   std::vector<bool> turn(audit.components.size(), false);
-  for (std::uint32_t c = 0; c < audit.components.size(); ++c) {
-    turn[c] = audit.components[c].closed && audit.components[c].signedVolume < 0.0 && !isInsideAnother(c);
+  for (std::size_t c = 0; c < audit.components.size(); ++c) {
+    turn[c] = isInsideOut(audit.components[c]) && !containers.contain(c);
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (turn[audit.componentOf[t]]) {

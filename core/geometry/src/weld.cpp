@@ -1,7 +1,6 @@
 #include "lorica/geometry/weld.h"
 
 #include <bit>
-#include <unordered_map>
 
 #include "lorica/base/error.h"
 
@@ -9,51 +8,51 @@ namespace lorica::geometry {
 
 namespace {
 
-struct Key {
-  std::uint32_t x, y, z, group;
-  bool operator==(const Key&) const = default;
-};
+std::uint64_t bits(float value) {
+  return std::bit_cast<std::uint32_t>(value + 0.0F);  // + 0 turns -0 into 0
+}
 
-struct KeyHash {
-  std::size_t operator()(const Key& key) const noexcept {
-    std::uint64_t h = 0x9E3779B97F4A7C15ULL;
-    for (const std::uint32_t word : {key.x, key.y, key.z, key.group}) {
-      h = (h ^ word) * 0xD6E8FEB86659FD93ULL;
-      h ^= h >> 32;
-    }
-    return static_cast<std::size_t>(h);
+std::size_t hash(const Vec3f& p, std::uint32_t group) {
+  std::uint64_t h = 0x9E3779B97F4A7C15ULL;
+  for (const std::uint64_t words : {bits(p.x()) << 32U | bits(p.y()), bits(p.z()) << 32U | group}) {
+    h = (h ^ words) * 0xD6E8FEB86659FD93ULL;
+    h ^= h >> 32U;
   }
-};
-
-std::uint32_t bits(float value) {
-  return std::bit_cast<std::uint32_t>(value + 0.0F);
-}  // + 0 turns -0 into 0
+  return static_cast<std::size_t>(h);
+}
 
 }  // namespace
 
 Welded weld(const TriangleMesh& mesh, std::span<const std::uint32_t> group) {
   LORICA_CHECK(group.empty() || group.size() == mesh.positions.size(), "one group per vertex");
+  constexpr std::uint32_t empty = UINT32_MAX;
+  const auto groupOf = [&](std::size_t v) { return group.empty() ? 0U : group[v]; };
   Welded result;
+  result.mesh.positions.reserve(mesh.positions.size());
+  result.sourceOf.reserve(mesh.positions.size());
   std::vector<std::uint32_t> keptAs(mesh.positions.size());
-  std::unordered_map<Key, std::uint32_t, KeyHash> seen;
-  seen.reserve(mesh.positions.size());
+  std::vector<std::uint32_t> slots(std::bit_ceil(2 * mesh.positions.size() + 1), empty);  // open addressing
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const Vec3f& p = mesh.positions[v];
-    const Key key{bits(p.x()), bits(p.y()), bits(p.z()), group.empty() ? 0U : group[v]};
-    const auto [place, isNew] = seen.try_emplace(key, static_cast<std::uint32_t>(result.sourceOf.size()));
-    if (isNew) {
+    std::size_t at = hash(p, groupOf(v)) & (slots.size() - 1);
+    while (slots[at] != empty &&
+           (result.mesh.positions[slots[at]] != p || groupOf(result.sourceOf[slots[at]]) != groupOf(v))) {
+      at = (at + 1) & (slots.size() - 1);
+    }
+    if (slots[at] == empty) {
+      slots[at] = static_cast<std::uint32_t>(result.sourceOf.size());
       result.sourceOf.push_back(static_cast<std::uint32_t>(v));
       result.mesh.positions.push_back(p);
     }
-    keptAs[v] = place->second;
+    keptAs[v] = slots[at];
   }
   result.mesh.triangles.reserve(mesh.triangles.size());
   for (const Triangle& triangle : mesh.triangles) {
-    const Triangle kept{keptAs[triangle[0]], keptAs[triangle[1]], keptAs[triangle[2]]};
-    if (kept[0] == kept[1] || kept[1] == kept[2] || kept[2] == kept[0]) {
+    const Triangle welded{keptAs[triangle[0]], keptAs[triangle[1]], keptAs[triangle[2]]};
+    if (welded[0] == welded[1] || welded[1] == welded[2] || welded[2] == welded[0]) {
       ++result.droppedTriangles;
     } else {
-      result.mesh.triangles.push_back(kept);
+      result.mesh.triangles.push_back(welded);
     }
   }
   return result;

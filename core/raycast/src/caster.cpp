@@ -128,6 +128,15 @@ Caster::Caster(const Scene& scene) : scene_(&scene), sums_(scene.meshes()) {
 }
 
 std::span<const Hit> Caster::cast(const Ray& ray) {
+  nearOpen_ = false;
+  collect(ray);
+  ++counts_.rays;
+  counts_.nearOpenEdge += nearOpen_ ? 1 : 0;
+  balance(ray);
+  return hits_;
+}
+
+void Caster::collect(const Ray& ray) {
   candidates_.clear();
   hits_.clear();
   RTCRayHit query{};
@@ -156,17 +165,13 @@ std::span<const Hit> Caster::cast(const Ray& ray) {
   context.base.filter = Context::record;
   rtcIntersect1(scene_->impl_->scene, &context.base, &query);
 #endif
-  ++counts_.rays;
   decide(ray);
-  balance(ray);
-  return hits_;
 }
 
 void Caster::decide(const Ray& ray) {
-  bool nearOpen = false;
   for (const Candidate& candidate : candidates_) {
     const MeshTopology& topology = *scene_->impl_->meshes[candidate.mesh].topology;
-    nearOpen = nearOpen || (topology.hasOpenEdges && nearOpenEdge(ray, candidate));
+    nearOpen_ = nearOpen_ || (topology.hasOpenEdges && nearOpenEdge(ray, candidate));
     if (decideOne(ray, candidate.mesh, candidate.triangle)) {
       continue;
     }
@@ -179,7 +184,6 @@ void Caster::decide(const Ray& ray) {
       }
     }
   }
-  counts_.nearOpenEdge += nearOpen ? 1 : 0;
   sortAndMerge(hits_, *scene_);
 }
 
@@ -214,31 +218,37 @@ bool Caster::nearOpenEdge(const Ray& ray, const Candidate& candidate) const {
   return false;
 }
 
-int Caster::originWinding(const Ray& ray, std::uint32_t mesh, std::uint32_t component) {
-  if (ray.origin != windingOrigin_) {
-    windings_.clear();
-    windingOrigin_ = ray.origin;
+void Caster::probeOrigin(const Ray& ray) {
+  if (windingsKnown_ && ray.origin == windingOrigin_) {
+    return;
   }
+  windings_.clear();
+  windingOrigin_ = ray.origin;
+  windingsKnown_ = true;
+  std::swap(hits_, probeHits_);
+  hits_.clear();
+  const bool nearOpen = nearOpen_;
+  collect({ray.origin, Vec3f(0.5477F, 0.6231F, 0.5583F)});
+  nearOpen_ = nearOpen;
+  std::swap(hits_, probeHits_);
+  for (const Hit& hit : probeHits_) {
+    const std::uint64_t key = (std::uint64_t{hit.mesh} << 32U) | hit.component;
+    const auto known =
+        std::find_if(windings_.begin(), windings_.end(), [&](const auto& entry) { return entry.first == key; });
+    if (known == windings_.end()) {
+      windings_.emplace_back(key, -hit.sign());
+    } else {
+      known->second -= hit.sign();
+    }
+  }
+}
+
+int Caster::originWinding(const Ray& ray, std::uint32_t mesh, std::uint32_t component) {
+  probeOrigin(ray);
   const std::uint64_t key = (std::uint64_t{mesh} << 32U) | component;
   const auto known =
       std::find_if(windings_.begin(), windings_.end(), [&](const auto& entry) { return entry.first == key; });
-  if (known != windings_.end()) {
-    return known->second;
-  }
-  // Straight along one axis; the crossings of a closed component tell how often it winds around the origin.
-  const Scene::Impl::Mesh& target = scene_->impl_->meshes[mesh];
-  const Ray probe{ray.origin, Vec3f(0.5477F, 0.6231F, 0.5583F)};
-  int winding = 0;
-  for (std::size_t t = 0; t < target.topology->triangles.size(); ++t) {
-    if (target.topology->componentOf[t] == component) {
-      const geometry::Triangle& corner = target.topology->triangles[t];
-      const auto found =
-          crossing(probe, target.positions[corner[0]], target.positions[corner[1]], target.positions[corner[2]]);
-      winding -= found ? (found->entering ? 1 : -1) : 0;
-    }
-  }
-  windings_.emplace_back(key, winding);
-  return winding;
+  return known == windings_.end() ? 0 : known->second;
 }
 
 void Caster::findUnbalanced(const Ray& ray, std::vector<std::uint32_t>& meshes) {

@@ -42,13 +42,4 @@ std::vector<human::SkinningDelta> pieceDeltas(const parenting::BodyRig& body, co
 void posePiece(const PieceRig& piece, const parenting::PosedBody& pose,
                std::span<const human::SkinningDelta> deltas, std::span<geometry::Vec3f> posed, base::Threads threads);
 
-/// Share of the vertices that lie inside the rest skin (0 to 1), and the deepest of them in metres.
-struct Penetration {
-  std::size_t vertices = 0;
-  std::size_t inside = 0;
-  double deepest = 0.0;
-};
-Penetration penetration(std::span<const geometry::Vec3f> positions, const parenting::BodyRig& body,
-                        base::Threads threads);
-
 }  // namespace lorica::armor

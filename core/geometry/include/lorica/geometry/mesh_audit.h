@@ -26,7 +26,7 @@ struct MeshAudit {
   bool closed() const;                     ///< all components are closed, and there is one at least
 };
 
-/// Cost: one sort of the edges. \pre mesh is welded, else seams read as boundaries
+/// Cost: linear. \pre mesh is welded, else seams read as boundaries
 MeshAudit audit(const TriangleMesh& mesh);
 
 /// Turns closed components that are inside out, unless they lie inside another closed component of the same mesh,

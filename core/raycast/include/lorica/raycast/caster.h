@@ -73,19 +73,25 @@ class Caster {
   };
   struct Context;
 
+  void collect(const Ray& ray);
   void decide(const Ray& ray);
   bool decideOne(const Ray& ray, std::uint32_t mesh, std::uint32_t triangle);
   bool nearOpenEdge(const Ray& ray, const Candidate& candidate) const;
   void balance(const Ray& ray);
   void findUnbalanced(const Ray& ray, std::vector<std::uint32_t>& meshes);
+  void probeOrigin(const Ray& ray);
+  /// How often a closed component winds around the ray's origin, told by a second ray from there.
   int originWinding(const Ray& ray, std::uint32_t mesh, std::uint32_t component);
 
   const Scene* scene_;
   std::vector<Candidate> candidates_;
   std::vector<Hit> hits_;
+  std::vector<Hit> probeHits_;
   std::vector<std::uint32_t> suspects_;
+  bool nearOpen_ = false;
   std::vector<std::vector<int>> sums_;  ///< per mesh and component; all zero between rays
   CastCounts counts_;
+  bool windingsKnown_ = false;
   geometry::Vec3f windingOrigin_ = geometry::Vec3f::Zero();
   std::vector<std::pair<std::uint64_t, int>> windings_;  ///< known windings around windingOrigin_
 };

@@ -4,14 +4,19 @@
 /// A study as a value: which human, which organs and armor, in which poses, shot at from where. Equal values give the
 /// same file, the same file the same results.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "lorica/armor/piece_rig.h"
 #include "lorica/base/units.h"
 #include "lorica/geometry/vectors.h"
+#include "lorica/shotline/point_source.h"
+#include "lorica/viscera/organ_rig.h"
 
 namespace lorica::study {
 
@@ -37,15 +42,11 @@ struct MeshSource {
   bool operator==(const MeshSource&) const = default;
 };
 
-/// How the control points of an organ are laid out (thesis section 3.3).
-struct LatticeSettings {
-  enum class Layout { boundingBox, uniform, perAxis, cellSize };
-  Layout layout = Layout::cellSize;
-  std::array<int, 3> cells{1, 1, 1};  ///< uniform: the first; perAxis: x, y, z
-  double cellMetres = 0.04;           ///< cellSize: as many cells per axis as bring them near this size
-  bool prune = true;
-  bool operator==(const LatticeSettings&) const = default;
-};
+/// How the control points of an organ are laid out. The file keeps only what the layout uses.
+using LatticeSettings = viscera::LatticeOptions;
+using armor::Carriage;
+using shotline::Sampler;
+using viscera::OrganModel;
 
 struct Organ {
   std::string name;
@@ -53,10 +54,9 @@ struct Organ {
   std::string injuryClass;            ///< "essential", "desirable" or empty
   std::optional<std::string> joint;   ///< carries static_joint; default the nearest
   LatticeSettings lattice;
+  std::string description{};  ///< free text
   bool operator==(const Organ&) const = default;
 };
-
-enum class Carriage { rigid, skinned };
 
 struct ArmorPiece {
   std::string name;
@@ -65,16 +65,18 @@ struct ArmorPiece {
   std::vector<std::string> nonProtecting;   ///< names of parts that never count; '*' stands for any run of letters
   std::optional<double> arealDensity;       ///< kg/m2
   std::string material;
+  std::string description{};  ///< free text
   bool operator==(const ArmorPiece&) const = default;
 };
 
 struct ArmorSystem {
   std::string name;
   std::vector<ArmorPiece> pieces;
+  std::string description{};  ///< free text
   bool operator==(const ArmorSystem&) const = default;
 };
 
-/// Turns of joints against rest, degrees about the scene's axes, x then y then z.
+/// Turns of joints against rest, degrees about the scene's axes, x then y then z; each joint at most once.
 struct TurnedPose {
   struct Turn {
     std::string joint;
@@ -92,16 +94,15 @@ struct ClipPose {
   bool operator==(const ClipPose&) const = default;
 };
 
-/// A named pose. The pose `rest` always exists and is not listed.
+/// Reads CLIP@SECONDS; the last '@' counts. Nothing for any other text.
+std::optional<ClipPose> clipPoseNamed(std::string_view text);
+
+/// A named pose; one named CLIP@SECONDS is that clip at that time. The pose `rest` always exists and is not listed.
 struct Pose {
   std::string name;
   std::variant<ClipPose, TurnedPose> what;
+  std::string description{};  ///< free text
   bool operator==(const Pose&) const = default;
-};
-
-enum class Sampler {
-  cone,   ///< uniform in the solid angle that bounds the posed skin
-  thesis  ///< Eq 15, for comparison only
 };
 
 /// A point that shots come from.
@@ -111,14 +112,9 @@ struct Source {
   std::optional<geometry::Vec3d> target;               ///< default: the centre of the posed skin's box
   Sampler sampler = Sampler::cone;
   std::uint64_t shots = 100000;                        ///< per trial
+  std::string description{};  ///< free text
   bool operator==(const Source&) const = default;
 };
-
-enum class OrganModel { staticJoint, staticSkin, dynamicThesis, dynamic };
-
-/// "static_joint", "static_skin", "dynamic_thesis", "dynamic".
-std::string name(OrganModel model);
-std::optional<OrganModel> organModelNamed(std::string_view name);
 
 struct Study {
   std::string name;
@@ -127,7 +123,8 @@ struct Study {
   std::vector<Organ> organs;
   std::vector<ArmorSystem> systems;   ///< `unarmored` is always computed and not listed
   std::vector<Pose> poses;            ///< beside `rest`
-  std::vector<std::string> runPoses;  ///< names of the poses a run computes; empty: rest and all of `poses`
+  /// Poses a run computes: names, or clips at a time written CLIP@SECONDS; empty: rest and all of `poses`.
+  std::vector<std::string> runPoses;
   std::vector<Source> sources;
   std::vector<OrganModel> models{OrganModel::staticJoint, OrganModel::dynamic};
   std::uint32_t trials = 5;

@@ -19,7 +19,11 @@ inline constexpr int studyVersion = 1;
 /// \throw base::InputError with line and column (syntax) or JSON pointer (content) and what was expected there
 Study parseStudy(std::string_view json, const std::string& file);
 
-/// Canonical text: parseStudy(studyText(s)) == s, and equal studies have equal text.
+/// Canonical text: equal studies have equal text, and parseStudy(studyText(s)) == s for every s that parseStudy gives.
+/// Of a lattice only the settings its layout uses are written; sizes that are no double of millimetres / 1000 (those
+/// of a file always are) move to the nearest one.
+/// \throw base::InputError when a name or path is not UTF-8
+/// \pre all numbers are finite
 std::string studyText(const Study& study);
 
 /// Reads and parses. \throw base::InputError
@@ -32,18 +36,20 @@ void saveStudy(const Study& study, const std::filesystem::path& path);
 std::vector<InputFile> inputFiles(const Study& study);
 
 /// Checks that every input file exists and has its hash. An empty hash passes (a study written by hand).
-/// \return one issue of severity error per missing or changed file, saying what to do
+/// \return one issue of severity error per missing, unreadable or changed file, naming it and saying what to do
 base::Issues checkInputs(const Study& study, const std::filesystem::path& studyFile);
 
 /// The study with every input's hash as its file is now.
+/// \throw base::InputError when a file is missing or cannot be read
 Study withCurrentHashes(const Study& study, const std::filesystem::path& studyFile);
 
 /// SHA-256 of a file's bytes, lower-case hexadecimal. For a .gltf, over its bytes followed by those of every buffer
-/// file it names, in order. \throw base::InputError
+/// file it names, in order; data: uris are part of its own bytes. \throw base::InputError
 std::string sha256OfInput(const std::filesystem::path& path);
+/// SHA-256 of bytes, lower-case hexadecimal.
 std::string sha256(std::string_view bytes);
 
-/// Absolute path of an input.
+/// Absolute, normalised path of an input of the study in that file.
 std::filesystem::path resolve(const InputFile& input, const std::filesystem::path& studyFile);
 
 /// Names and texts of the sample studies built into the program, each with `description` fields.

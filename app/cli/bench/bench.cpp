@@ -1,0 +1,151 @@
+#include "bench.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "bare_loops.h"
+#include "bench_scene.h"
+#include "lorica/base/error.h"
+#include "lorica/base/files.h"
+#include "lorica/geometry/measures.h"
+#include "lorica/io/export.h"
+#include "lorica/io/import.h"
+#include "lorica/shotline/trace.h"
+#include "lorica/study/study_file.h"
+
+namespace lorica::bench {
+
+namespace {
+
+constexpr int repetitions = 9;
+constexpr std::uint64_t rayCount = 200000;
+
+template <class Work>
+double secondsOf(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Median over interleaved runs of a's time over b's.
+template <class First, class Second>
+std::array<double, 3> interleaved(const First& first, const Second& second, const base::Progress& progress) {
+  std::vector<double> ratios;
+  std::vector<double> firstTimes;
+  std::vector<double> secondTimes;
+  first();  // warm caches and buffers
+  second();
+  for (int r = 0; r < repetitions; ++r) {
+    progress.check();
+    firstTimes.push_back(secondsOf(first));
+    secondTimes.push_back(secondsOf(second));
+    ratios.push_back(firstTimes.back() / secondTimes.back());
+    progress.report((r + 1.0) / repetitions);
+  }
+  return {median(ratios), median(firstTimes), median(secondTimes)};
+}
+
+/// Keeps a result alive that nobody reads.
+volatile std::uint64_t sink = 0;
+
+void measureShots(Report& report, const analysis::PosedScene& posed, base::Threads threads,
+                  const base::Progress& progress) {
+  shotline::PointSource source;
+  source.name = "front";
+  const geometry::Box3d box = geometry::bounds(posed.body().skin);
+  source.target = box.center();
+  source.position = box.center() + geometry::Vec3d(0, 0, 5);
+  const std::span<const geometry::Vec3f> skin(posed.body().skin);
+  source.halfAngle = shotline::boundingHalfAngle(source.position, source.target, std::span(&skin, 1));
+  const shotline::ShotGenerator shots(source, 1, 0);
+  std::vector<raycast::Ray> rays;
+  for (std::uint64_t i = 0; i < rayCount; ++i) {
+    rays.push_back(shots.shot(i));
+  }
+  const BareScene bare(posed, false);
+  const auto ours = [&] {
+    sink = sink + shotline::trace(posed.scene(), posed.layout(), shots, rayCount, threads).tally.body(0).any;
+  };
+  const auto against = [&](const char* name, double bar, const char* meaning, const auto& loop,
+                           const base::Progress& share) {
+    const auto [ratio, mine, theirs] = interleaved(ours, loop, share);
+    report.ratios.push_back({name, 1.0 / ratio, bar, true, meaning});
+    report.rates.emplace_back(std::string(name) + "_ours_rays_per_s", static_cast<double>(rayCount) / mine);
+    report.rates.emplace_back(std::string(name) + "_bare_rays_per_s", static_cast<double>(rayCount) / theirs);
+  };
+  against(
+      "shotline_vs_bare_all_hits", 0.85, "shots sampled, traced, paired and counted, per bare Embree all-hits ray",
+      [&] { sink = sink + bare.allHits(rays, threads); }, progress.part(0.0, 0.5));
+  against(
+      "shotline_vs_reshoot", 1.25, "the same, per ray shot again from behind each nearest hit",
+      [&] { sink = sink + bare.reshoot(rays, threads); }, progress.part(0.5, 1.0));
+}
+
+void measureFrames(Report& report, const analysis::LoadedStudy& study, base::Threads threads,
+                   const base::Progress& progress) {
+  analysis::PosedScene posed(study, {viscera::OrganModel::dynamic}, std::nullopt, raycast::SceneUse::manyFrames,
+                             threads);
+  BareScene bare(posed, true);
+  const human::Clip& clip = study.clips.front();
+  int frame = 0;
+  const auto ours = [&] {
+    const double seconds = clip.duration() * (frame++ % 30) / 30.0;
+    posed.move(human::sample(clip, *study.body->body().skeleton, seconds), threads);
+  };
+  const auto [ratio, mine, theirs] = interleaved([&] { for (int i = 0; i < 10; ++i) ours(); },
+                                                 [&] { for (int i = 0; i < 10; ++i) bare.refit(); }, progress);
+  report.ratios.push_back({"frame_vs_refit", ratio, 1.6, false,
+                           "skin, organs and armor posed and refitted, per Embree refit alone"});
+  report.rates.emplace_back("frame_ours_ms", 100.0 * mine);
+  report.rates.emplace_back("frame_bare_refit_ms", 100.0 * theirs);
+}
+
+void measureImport(Report& report, const analysis::LoadedStudy& study, const base::Progress& progress) {
+  const geometry::TriangleMesh& skin = study.body->body().skin;
+  const std::filesystem::path glb =
+      std::filesystem::temp_directory_path() / fmt::format("lorica-bench-{}.glb", ::getpid());
+  const io::SceneMesh scene{"body", "body", skin.positions, skin.triangles};
+  io::writeScene(std::span(&scene, 1), io::SceneFormat::glb, glb);
+  const auto [ratio, mine, theirs] = interleaved(
+      [&] {
+        sink = sink + study::sha256OfInput(glb).size();
+        sink = sink + io::importModel(glb).parts.size();
+      },
+      [&] { sink = sink + bareParse(glb); }, progress);
+  std::filesystem::remove(glb);
+  report.ratios.push_back({"import_vs_bare_parse", ratio, 10.0, false,
+                           "a GLB hashed, checked, welded and built, per bare tinygltf parse"});
+  report.rates.emplace_back("import_ours_ms", 1000.0 * mine);
+  report.rates.emplace_back("import_bare_parse_ms", 1000.0 * theirs);
+}
+
+}  // namespace
+
+Report measure(const base::Progress& progress) {
+  Report report;
+  report.threads = std::min(2, base::machineThreads());
+  report.rays = rayCount;
+  const base::Threads threads{report.threads};
+  const analysis::LoadedStudy study = refinedSample(threads);
+  progress.report(0.1);
+  {
+    const analysis::PosedScene posed(study, {viscera::OrganModel::dynamic}, std::nullopt,
+                                     raycast::SceneUse::manyRays, threads);
+    report.triangles = posed.triangles();
+    measureShots(report, posed, threads, progress.part(0.1, 0.7));
+  }
+  measureFrames(report, study, threads, progress.part(0.7, 0.85));
+  measureImport(report, study, progress.part(0.85, 1.0));
+  return report;
+}
+
+}  // namespace lorica::bench

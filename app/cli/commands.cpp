@@ -1,0 +1,112 @@
+#include "commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "bench.h"
+#include "console.h"
+#include "lorica/analysis/check.h"
+#include "lorica/analysis/export_pose.h"
+#include "lorica/base/error.h"
+#include "lorica/base/files.h"
+#include "lorica/study/provenance.h"
+#include "lorica/study/study_file.h"
+
+namespace lorica::cli {
+
+namespace fs = std::filesystem;
+
+int checkFiles(const std::vector<fs::path>& files, bool acceptInputs) {
+  bool sound = true;
+  for (const fs::path& file : files) {
+    if (acceptInputs && file.extension() == ".json") {
+      const study::Study study = study::loadStudy(file);
+      study::saveStudy(study::withCurrentHashes(study, file), file);
+    }
+    Stage stage("checking " + file.filename().string(), false);
+    for (const base::Issue& issue : analysis::checkFile(file, {}, stage.progress())) {
+      sound = sound && issue.severity != base::Severity::error;
+      fmt::print("{}\n", issue.line());
+    }
+  }
+  return sound ? done : badInput;
+}
+
+int printTemplate(const std::string& name, bool list) {
+  if (!list) {
+    fmt::print("{}", study::templateText(name));
+    return done;
+  }
+  for (const std::string& known : study::templateNames()) {
+    fmt::print("{}\n", known);
+  }
+  return done;
+}
+
+int importFiles(const analysis::ImportRequest& request) {
+  analysis::ImportedStudy imported;
+  {
+    Stage stage("importing", false);
+    imported = analysis::importStudy(request, {}, stage.progress());
+  }
+  study::saveStudy(imported.study, request.studyFile);
+  for (const base::Issue& issue : imported.issues) {
+    fmt::print("{}\n", issue.line());
+  }
+  fmt::print("{}: a body, {} organ(s), {} armor system(s); run it with\n  lorica-cli run {} --out out\n",
+             request.studyFile.string(), imported.study.organs.size(), imported.study.systems.size(),
+             request.studyFile.string());
+  return done;
+}
+
+int exportPose(const ExportArguments& arguments) {
+  const io::SceneFormat format = arguments.format == "glb"   ? io::SceneFormat::glb
+                                 : arguments.format == "ply" ? io::SceneFormat::ply
+                                                             : io::SceneFormat::vtp;
+  study::Study study = study::loadStudy(arguments.study);
+  const viscera::OrganModel model = *viscera::organModelNamed(arguments.model);
+  study.models = {model};
+  Stage stage("exporting", false);
+  const analysis::LoadedStudy loaded = analysis::load(std::move(study), arguments.study, {}, stage.progress());
+  const std::string bytes = analysis::exportPose(loaded, arguments.pose, model, format, {});
+  stage.progress().check();
+  base::writeFileAtomically(arguments.out, bytes);
+  return done;
+}
+
+int upgradeStudy(const fs::path& file, const fs::path& out) {
+  const study::Study study = study::loadStudy(file);
+  study::saveStudy(study, out.empty() ? file : out);
+  return done;
+}
+
+int runBenchmarks(const fs::path& json) {
+  bench::Report report;
+  {
+    Stage stage("measuring", false);
+    report = bench::measure(stage.progress());
+  }
+  nlohmann::ordered_json document;
+  for (const bench::Ratio& ratio : report.ratios) {
+    document["ratios"][ratio.name] = ratio.value;
+    fmt::print("{:<28} {:>8.3f}   bar {} {}   {}\n", ratio.name, ratio.value, ratio.atLeast ? ">=" : "<=", ratio.bar,
+               ratio.meaning);
+  }
+  document["scene"] = {{"triangles", report.triangles}, {"rays", report.rays}};
+  document["threads"] = report.threads;
+  document["lorica_version"] = study::version();
+  for (const auto& [name, value] : report.rates) {
+    document["rates"][name] = value;
+  }
+  fmt::print("scene of {} triangles, {} rays, {} threads; each ratio is the median of interleaved runs\n",
+             readableCount(report.triangles), readableCount(report.rays), report.threads);
+  if (!json.empty()) {
+    base::writeFileAtomically(json, document.dump(2) + "\n");
+  }
+  return done;
+}
+
+}  // namespace lorica::cli

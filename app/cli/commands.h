@@ -1,0 +1,48 @@
+#pragma once
+
+/// \file
+/// One function per command of the program. Each returns an exit code and throws what main() turns into one.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lorica/analysis/import_study.h"
+
+namespace lorica::cli {
+
+struct RunArguments {
+  std::filesystem::path study;
+  std::filesystem::path out;
+  int threads = 0;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint32_t> trials;
+  std::optional<std::uint64_t> shots;
+  std::vector<std::string> poses;
+  std::vector<std::string> models;
+  bool quiet = false;
+};
+int runStudy(const RunArguments& arguments);
+
+int checkFiles(const std::vector<std::filesystem::path>& files, bool acceptInputs);
+
+int printTemplate(const std::string& name, bool list);
+
+int importFiles(const analysis::ImportRequest& request);
+
+struct ExportArguments {
+  std::filesystem::path study;
+  std::string pose;
+  std::string format;
+  std::string model;
+  std::filesystem::path out;
+};
+int exportPose(const ExportArguments& arguments);
+
+int upgradeStudy(const std::filesystem::path& study, const std::filesystem::path& out);
+
+int runBenchmarks(const std::filesystem::path& json);
+
+}  // namespace lorica::cli

@@ -1,0 +1,193 @@
+/// \file
+/// lorica-cli: the studies of the workbench without a window.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "commands.h"
+#include "console.h"
+#include "lorica/base/error.h"
+#include "lorica/study/provenance.h"
+
+namespace lorica::cli {
+
+namespace {
+
+const std::vector<std::string> modelNames = {"static_joint", "static_skin", "dynamic_thesis", "dynamic"};
+
+void addRun(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("run", "run a study: coverage per structure, pose, model and armor system");
+  auto arguments = std::make_shared<RunArguments>();
+  command->add_option("STUDY", arguments->study, "the study (*.lorica.json)")->required();
+  command->add_option("--out", arguments->out, "folder for summary.csv, trials.csv and provenance.json")->required();
+  command->add_option("--threads", arguments->threads, "threads to use (default: all)")->check(CLI::Range(1, 1024));
+  command->add_option("--seed", arguments->seed, "seed of the shots (default: the study's)");
+  command->add_option("--trials", arguments->trials, "trials (default: the study's)")->check(CLI::Range(1, 100000));
+  command->add_option("--shots", arguments->shots, "shots per trial (default: the study's)")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000000}));
+  command->add_option("--pose", arguments->poses, "pose by name or CLIP@SECONDS; may be repeated (default: all)")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--model", arguments->models, "organ model; may be repeated (default: the study's)")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(modelNames));
+  command->add_flag("--quiet", arguments->quiet, "no progress and no table");
+  command->callback([arguments, &code] { code = runStudy(*arguments); });
+}
+
+void addCheck(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("check", "audit studies and meshes; a line per finding");
+  auto files = std::make_shared<std::vector<std::filesystem::path>>();
+  auto accept = std::make_shared<bool>(false);
+  command->add_option("FILE", *files, "studies or meshes")->required();
+  command->add_flag("--accept-inputs", *accept, "take the inputs as they are now: write their hashes into the study");
+  command->callback([files, accept, &code] { code = checkFiles(*files, *accept); });
+}
+
+void addTemplate(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("template", "print a sample study");
+  auto name = std::make_shared<std::string>("sample");
+  auto list = std::make_shared<bool>(false);
+  command->add_option("NAME", *name, "which one (default: sample)");
+  command->add_flag("--list", *list, "list the names");
+  command->callback([name, list, &code] { code = printTemplate(*name, *list); });
+}
+
+/// What `import` was given, before the order of its armor options is known.
+struct ImportArguments {
+  analysis::ImportRequest request;
+  std::vector<std::string> armor;
+  std::vector<std::string> systems;
+  std::string units;
+  std::string up;
+  int plates = 0;
+};
+
+/// --system starts a new system for the --armor and --plates that follow it.
+void orderArmor(const CLI::App& command, ImportArguments& arguments) {
+  std::string system = "armor";
+  std::size_t armorSeen = 0;
+  std::size_t systemsSeen = 0;
+  for (const CLI::Option* option : command.parse_order()) {
+    if (option->check_lname("system")) {
+      system = arguments.systems.at(systemsSeen++);
+    } else if (option->check_lname("armor")) {
+      arguments.request.armor.push_back({system, std::filesystem::path(arguments.armor.at(armorSeen++))});
+    } else if (option->check_lname("plates")) {
+      arguments.request.armor.push_back({system, study::Builtin{"front_plate"}});
+      arguments.request.armor.push_back({system, study::Builtin{"back_plate"}});
+    }
+  }
+}
+
+void addImport(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("import", "make a study from files");
+  auto arguments = std::make_shared<ImportArguments>();
+  analysis::ImportRequest& request = arguments->request;
+  command->add_option("SKIN", request.skin, "the body's skin; with a rig it can be posed")->required();
+  command->add_option("ORGANS", request.organs, "one file per organ");
+  command->add_option("--armor", arguments->armor, "an armor piece; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--system", arguments->systems, "name of the system that following pieces join")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_flag("--plates", arguments->plates, "add the generated front and back plates");
+  command->add_flag("--split", request.split, "each node of an organ file is a structure of its own");
+  command->add_option("--units", arguments->units, "unit of all files")
+      ->check(CLI::IsMember({"m", "cm", "mm", "in"}));
+  command->add_option("--up", arguments->up, "up axis of all files")->check(CLI::IsMember({"y", "z"}));
+  command->add_option("--out", request.studyFile, "the study to write (*.lorica.json)")->required();
+  command->callback([arguments, command, &code] {
+    orderArmor(*command, *arguments);
+    if (!arguments->units.empty()) {
+      arguments->request.units = base::lengthUnitNamed(arguments->units);
+    }
+    if (!arguments->up.empty()) {
+      arguments->request.up = arguments->up.front();
+    }
+    code = importFiles(arguments->request);
+  });
+}
+
+void addExport(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("export", "write a pose as a scene that other programs open");
+  auto arguments = std::make_shared<ExportArguments>();
+  arguments->model = "dynamic";
+  command->add_option("STUDY", arguments->study, "the study (*.lorica.json)")->required();
+  command->add_option("--pose", arguments->pose, "pose by name or CLIP@SECONDS")->required();
+  command->add_option("--format", arguments->format, "glb, ply or vtp")
+      ->required()
+      ->check(CLI::IsMember({"glb", "ply", "vtp"}));
+  command->add_option("--model", arguments->model, "organ model (default: dynamic)")->check(CLI::IsMember(modelNames));
+  command->add_option("--out", arguments->out, "the file to write")->required();
+  command->callback([arguments, &code] { code = exportPose(*arguments); });
+}
+
+void addUpgrade(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("upgrade", "rewrite a study of an older version");
+  auto study = std::make_shared<std::filesystem::path>();
+  auto out = std::make_shared<std::filesystem::path>();
+  command->add_option("STUDY", *study, "the study (*.lorica.json)")->required();
+  command->add_option("--out", *out, "where to write it (default: over the old one)");
+  command->callback([study, out, &code] { code = upgradeStudy(*study, *out); });
+}
+
+void addBench(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("bench", "measure the engine against bare libraries, as ratios");
+  auto json = std::make_shared<std::filesystem::path>();
+  command->add_option("--json", *json, "also write the ratios to a file");
+  command->callback([json, &code] { code = runBenchmarks(*json); });
+}
+
+int parseAndRun(int argc, char** argv) {
+  int code = done;
+  CLI::App app("Lorica: coverage of the body by armor, in any posture.", "lorica-cli");
+  app.set_version_flag("--version", "lorica-cli " + study::version());
+  app.require_subcommand(1);
+  addRun(app, code);
+  addCheck(app, code);
+  addTemplate(app, code);
+  addImport(app, code);
+  addExport(app, code);
+  addUpgrade(app, code);
+  addBench(app, code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      app.exit(error);
+      return done;
+    }
+    fmt::print(stderr, "lorica-cli: {}; see lorica-cli --help\n", error.what());
+    return wrongUsage;
+  }
+  return code;
+}
+
+}  // namespace
+
+}  // namespace lorica::cli
+
+int main(int argc, char** argv) {
+  namespace cli = lorica::cli;
+  cli::catchInterrupts();
+  try {
+    return cli::parseAndRun(argc, argv);
+  } catch (const lorica::base::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return cli::badInput;
+  } catch (const lorica::base::Cancelled&) {
+    fmt::print(stderr, "cancelled: nothing was written\n");
+    return cli::cancelled;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "there is not enough memory for this\n");
+    return cli::ourFault;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "internal error: {}\n", error.what());
+    return cli::ourFault;
+  }
+}

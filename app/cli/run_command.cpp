@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "commands.h"
+#include "console.h"
+#include "lorica/analysis/results.h"
+#include "lorica/base/error.h"
+#include "lorica/study/study_file.h"
+#include "summary_table.h"
+
+namespace lorica::cli {
+
+namespace {
+
+analysis::LoadedStudy loadForRun(const RunArguments& arguments) {
+  study::Study study = study::loadStudy(arguments.study);
+  if (!arguments.models.empty()) {
+    study.models.clear();
+    for (const std::string& name : arguments.models) {
+      const viscera::OrganModel model = *viscera::organModelNamed(name);
+      if (std::find(study.models.begin(), study.models.end(), model) == study.models.end()) {
+        study.models.push_back(model);
+      }
+    }
+  }
+  Stage stage("reading " + arguments.study.filename().string(), arguments.quiet);
+  return analysis::load(std::move(study), arguments.study, {arguments.threads}, stage.progress());
+}
+
+void sayWhatWasShot(const analysis::RunResult& result) {
+  raycast::CastCounts counts;
+  for (const analysis::SourcePoseResult& here : result.results) {
+    counts.add(here.counts);
+  }
+  for (const analysis::ShotSource& source : result.sources) {
+    if (source.solidAngle > 0.0) {
+      fmt::print("source {}: cone of {:.6f} sr around the posed skin\n", source.source.name, source.solidAngle);
+    } else {
+      fmt::print("source {}: Eq 15, without a solid angle\n", source.source.name);
+    }
+  }
+  fmt::print("{} rays; {} traced again, {} unresolved, {} near an open edge\n", readableCount(counts.rays),
+             readableCount(counts.retraced), readableCount(counts.unresolved), readableCount(counts.nearOpenEdge));
+}
+
+}  // namespace
+
+int runStudy(const RunArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const analysis::LoadedStudy study = loadForRun(arguments);
+  if (study.study.sources.empty()) {
+    throw base::InputError(arguments.study.string(), "/sources", "the study has no source to shoot from; add one");
+  }
+  analysis::RunOptions options;
+  options.poses = arguments.poses;
+  options.seed = arguments.seed;
+  options.trials = arguments.trials;
+  options.shots = arguments.shots;
+  options.threads = {arguments.threads};
+  analysis::RunResult result;
+  {
+    Stage stage("shooting", arguments.quiet);
+    result = analysis::run(study, options, stage.progress());
+  }
+  analysis::writeResults(study, result, arguments.out);
+  printIssues(result.issues, false);
+  if (!arguments.quiet) {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    fmt::print("{}\n", summaryTable(result, analysis::summaryRows(study, result)));
+    sayWhatWasShot(result);
+    fmt::print("{} in {:.1f} s; summary.csv, trials.csv and provenance.json are in {}\n",
+               result.partial ? "stopped" : "finished", seconds, arguments.out.string());
+  }
+  if (result.partial) {
+    fmt::print(stderr, "cancelled: the result in {} is partial\n", arguments.out.string());
+    return cancelled;
+  }
+  return done;
+}
+
+}  // namespace lorica::cli

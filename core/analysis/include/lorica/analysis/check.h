@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "lorica/base/issue.h"
+#include "lorica/base/parallel.h"
+#include "lorica/base/progress.h"
+
+namespace lorica::analysis {
+
+/// Audits a study (*.lorica.json, *.json) with everything it names, or a single mesh: one issue per finding. What
+/// cannot be read at all is an issue of severity error, not an exception.
+/// \throw base::Cancelled
+base::Issues checkFile(const std::filesystem::path& path, base::Threads threads, const base::Progress& progress = {});
+
+}  // namespace lorica::analysis

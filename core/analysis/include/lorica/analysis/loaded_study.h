@@ -1,0 +1,62 @@
+#pragma once
+
+/// \file
+/// A study with everything it names read, checked and bound: the body rigged, organs and armor tied to it.
+
+#include <filesystem>
+#include <memory>
+
+#include "lorica/armor/piece_rig.h"
+#include "lorica/human/clip.h"
+#include "lorica/parenting/body_rig.h"
+#include "lorica/study/study.h"
+#include "lorica/viscera/organ_rig.h"
+
+namespace lorica::analysis {
+
+struct LoadedOrgan {
+  std::string name;
+  std::string injuryClass;
+  viscera::OrganRig rig;
+  std::shared_ptr<const raycast::MeshTopology> topology;
+};
+
+struct LoadedPiece {
+  std::string name;
+  std::size_t system = 0;  ///< index into Study::systems
+  armor::PieceRig rig;
+  std::shared_ptr<const raycast::MeshTopology> topology;
+  std::vector<geometry::TriangleMesh> nonProtecting;  ///< at rest, for pictures only
+};
+
+/// Immutable after loading; const use is thread-safe.
+struct LoadedStudy {
+  study::Study study;
+  std::filesystem::path file;  ///< where relative inputs start; may be a file that does not exist
+  std::unique_ptr<const parenting::BodyRig> body;
+  std::vector<human::Clip> clips;
+  std::vector<LoadedOrgan> organs;  ///< in the study's order
+  std::vector<LoadedPiece> pieces;  ///< system by system, in the study's order
+  base::Issues issues;
+};
+
+/// Reads the inputs of a study.
+/// \param progress is advanced through the whole of it
+/// \throw base::InputError for a missing, changed or unusable input, an unknown joint, clip or part; base::Cancelled
+LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Threads threads,
+                 const base::Progress& progress = {});
+
+/// A pose by its name in the study, or by CLIP@SECONDS.
+struct NamedPose {
+  std::string name;
+  std::optional<human::Pose> pose;  ///< none: rest
+};
+
+/// \throw base::InputError when the study has no such pose or clip, the time lies beyond the clip, or the body has no
+///        skeleton to pose
+NamedPose resolvePose(const LoadedStudy& study, const std::string& name);
+
+/// The poses a run computes when none is asked for: those the study lists, else rest and all of them.
+std::vector<std::string> defaultPoses(const study::Study& study);
+
+}  // namespace lorica::analysis

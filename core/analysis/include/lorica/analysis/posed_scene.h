@@ -1,0 +1,43 @@
+#pragma once
+
+/// \file
+/// Everything of a study in one pose: skin, armor of every system, organs of every model, ready for rays.
+
+#include "lorica/analysis/loaded_study.h"
+#include "lorica/shotline/tally.h"
+
+namespace lorica::analysis {
+
+/// One scene holds all systems and all models, so that one ray serves every comparison.
+class PosedScene {
+ public:
+  /// \pre study outlives the scene
+  PosedScene(const LoadedStudy& study, std::vector<viscera::OrganModel> models, const std::optional<human::Pose>& pose,
+             raycast::SceneUse use, base::Threads threads);
+
+  /// Takes another pose: deforms everything in place and refits. \pre made for manyFrames
+  void move(const std::optional<human::Pose>& pose, base::Threads threads);
+
+  const parenting::PosedBody& body() const { return body_; }
+  const geometry::Positions& piece(std::size_t piece) const { return pieces_[piece]; }
+  const geometry::Positions& organ(std::size_t organ, std::size_t model) const {
+    return organs_[model * study_->organs.size() + organ];
+  }
+  const std::vector<viscera::OrganModel>& models() const { return models_; }
+  const raycast::Scene& scene() const { return scene_; }
+  const shotline::TargetLayout& layout() const { return layout_; }
+  std::size_t triangles() const;
+
+ private:
+  void deform(const std::optional<human::Pose>& pose, base::Threads threads);
+
+  const LoadedStudy* study_;
+  std::vector<viscera::OrganModel> models_;
+  parenting::PosedBody body_;
+  std::vector<geometry::Positions> pieces_;
+  std::vector<geometry::Positions> organs_;  ///< model by model
+  raycast::Scene scene_;
+  shotline::TargetLayout layout_;
+};
+
+}  // namespace lorica::analysis

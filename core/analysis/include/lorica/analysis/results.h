@@ -1,0 +1,51 @@
+#pragma once
+
+/// \file
+/// A run as tables: summary.csv, trials.csv, provenance.json.
+
+#include <filesystem>
+
+#include "lorica/analysis/run.h"
+#include "lorica/stats/intervals.h"
+
+namespace lorica::analysis {
+
+/// One row of a table. Counts are of shots.
+struct ResultRow {
+  std::string source;
+  std::string system;
+  std::string model;
+  std::string pose;
+  std::optional<std::uint32_t> trial;  ///< none: all trials together
+  std::string structure;
+  std::string kind;         ///< body, region, organ, armor, aggregate
+  std::string injuryClass;  ///< essential, desirable or empty
+  std::uint64_t shots = 0;
+  std::uint64_t bodyHits = 0;
+  shotline::Count count;
+
+  std::uint64_t unprotected() const { return count.any - count.shielded; }
+  double percentOfShots() const;
+  /// Any hit among body hits over body hits, percent; none without body hits.
+  std::optional<double> percentOfBodyHits() const;
+  /// Protected over any, 0 to 1; none when nothing was hit.
+  std::optional<double> coverage() const;
+  /// Wilson, 95 %; none when nothing was hit, or when the shots are not independent draws of equal weight.
+  std::optional<stats::Interval> coverageInterval() const;
+};
+
+/// Rows in the order source, system, model, pose, structure; summed over trials.
+std::vector<ResultRow> summaryRows(const LoadedStudy& study, const RunResult& result);
+/// The same with one row per trial.
+std::vector<ResultRow> trialRows(const LoadedStudy& study, const RunResult& result);
+
+std::string summaryCsv(const std::vector<ResultRow>& rows);
+std::string trialsCsv(const std::vector<ResultRow>& rows);
+/// Version, study and input hashes, sources with their cones, counts of retraced and unresolved shots, issues, and
+/// whether the run is partial. Holds no time and no thread count: the same run gives the same bytes.
+std::string provenanceJson(const LoadedStudy& study, const RunResult& result);
+
+/// Writes the three files into a folder, each all or nothing. \throw base::InputError
+void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder);
+
+}  // namespace lorica::analysis

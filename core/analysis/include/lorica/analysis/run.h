@@ -1,0 +1,53 @@
+#pragma once
+
+/// \file
+/// Runs a study: every pose, source and trial, all systems and models on the same shots.
+
+#include "lorica/analysis/loaded_study.h"
+#include "lorica/shotline/trace.h"
+
+namespace lorica::analysis {
+
+/// What a run computes, when it is not all the study says. Empty and absent fields mean the study's own.
+struct RunOptions {
+  std::vector<std::string> poses;  ///< names or CLIP@SECONDS
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint32_t> trials;
+  std::optional<std::uint64_t> shots;  ///< per trial, for every source
+  base::Threads threads;
+};
+
+/// One source as it was shot from.
+struct ShotSource {
+  shotline::PointSource source;
+  std::uint64_t shots = 0;  ///< per trial
+  double solidAngle = 0.0;  ///< steradians; 0 for the thesis' sampler, which has none
+};
+
+/// Counts of one source at one pose, trial by trial.
+struct SourcePoseResult {
+  std::size_t source = 0;
+  std::size_t pose = 0;
+  std::vector<shotline::Tally> trials;  ///< those that were finished
+  raycast::CastCounts counts;           ///< over all of them
+};
+
+struct RunResult {
+  std::vector<ShotSource> sources;
+  std::vector<std::string> poses;
+  std::vector<viscera::OrganModel> models;
+  std::vector<std::string> systems;  ///< "unarmored" first
+  std::uint64_t seed = 0;
+  std::uint32_t trials = 0;  ///< asked for
+  std::vector<SourcePoseResult> results;  ///< source by source, pose by pose
+  std::vector<std::size_t> collapsedSites;  ///< per pose, interior sites whose anchors collapsed
+  base::Issues issues;
+  bool partial = false;  ///< cancelled: `results` holds what was finished
+};
+
+/// Runs. When cancelled, returns what was finished and marks it partial. The same study, options and seed give the
+/// same result at any number of threads.
+/// \throw base::InputError for an unknown pose
+RunResult run(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress = {});
+
+}  // namespace lorica::analysis

@@ -1,0 +1,77 @@
+#include "lorica/analysis/check.h"
+
+#include <fmt/format.h>
+
+
+#include "lorica/analysis/loaded_study.h"
+#include "lorica/base/error.h"
+#include "lorica/geometry/measures.h"
+#include "lorica/geometry/mesh_audit.h"
+#include "lorica/io/import.h"
+#include "lorica/study/study_file.h"
+
+namespace lorica::analysis {
+
+namespace {
+
+using base::Issue;
+using base::Severity;
+
+/// What an analyst wants to know of one part.
+Issue auditPart(const io::Part& part, const std::string& file) {
+  const geometry::MeshAudit audit = geometry::audit(part.mesh);
+  const std::string size = fmt::format("{} triangles, {} piece(s), {:.1f} cm2", part.mesh.triangles.size(),
+                                       audit.components.size(), 1e4 * geometry::area(part.mesh));
+  if (audit.closed()) {
+    return {Severity::note, file, part.name,
+            fmt::format("closed: {}, {:.1f} cm3", size, 1e6 * geometry::signedVolume(part.mesh))};
+  }
+  return {Severity::warning, file, part.name,
+          fmt::format("open: {}, {} boundary edges, {} edges that do not pair; it counts hits, without thickness", size,
+                      audit.boundaryEdges, audit.oddEdges)};
+}
+
+base::Issues checkMesh(const std::filesystem::path& path) {
+  const io::Model model = io::importModel(path);
+  base::Issues issues = model.issues;
+  for (const io::Part& part : model.parts) {
+    issues.push_back(auditPart(part, path.string()));
+  }
+  if (model.skeleton) {
+    issues.push_back({Severity::note, path.string(), "", fmt::format("{} joints", model.skeleton->size())});
+  }
+  for (const human::Clip& clip : model.clips) {
+    issues.push_back({Severity::note, path.string(), clip.name, fmt::format("clip of {:.3f} s", clip.duration())});
+  }
+  return issues;
+}
+
+base::Issues checkStudy(const std::filesystem::path& path, base::Threads threads, const base::Progress& progress) {
+  study::Study study = study::loadStudy(path);
+  base::Issues issues = study::checkInputs(study, path);
+  if (!issues.empty()) {
+    return issues;
+  }
+  const LoadedStudy loaded = load(std::move(study), path, threads, progress);
+  issues = loaded.issues;
+  for (const std::string& pose : defaultPoses(loaded.study)) {
+    try {
+      resolvePose(loaded, pose);
+    } catch (const base::InputError& error) {
+      issues.push_back({Severity::error, error.file(), error.place(), error.text()});
+    }
+  }
+  return issues;
+}
+
+}  // namespace
+
+base::Issues checkFile(const std::filesystem::path& path, base::Threads threads, const base::Progress& progress) {
+  try {
+    return path.extension() == ".json" ? checkStudy(path, threads, progress) : checkMesh(path);
+  } catch (const base::InputError& error) {
+    return {{Severity::error, error.file(), error.place(), error.text()}};
+  }
+}
+
+}  // namespace lorica::analysis

@@ -1,0 +1,316 @@
+#include "lorica/analysis/loaded_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "load_meshes.h"
+#include "lorica/armor/plates.h"
+#include "lorica/base/error.h"
+#include "lorica/parenting/skin_side.h"
+#include "lorica/study/study_file.h"
+
+namespace lorica::analysis {
+
+namespace {
+
+using study::Builtin;
+using study::InputFile;
+
+/// Everything one loading needs to know.
+struct Loading {
+  LoadedStudy& result;
+  MeshLibrary& library;
+  base::Threads threads;
+
+  std::string fileName() const { return result.file.string(); }
+  [[noreturn]] void fail(const std::string& place, const std::string& text) const {
+    throw base::InputError(fileName(), place, text);
+  }
+};
+
+parenting::Body loadBody(Loading& loading) {
+  const study::MeshSource& source = loading.result.study.human;
+  parenting::Body body;
+  if (const auto* builtin = std::get_if<Builtin>(&source.from)) {
+    if (builtin->name != "plain") {
+      loading.fail("/human/builtin", fmt::format("there is no built-in human named \"{}\"; there is \"plain\"",
+                                                 builtin->name));
+    }
+    const manikin::PlainHuman& plain = loading.library.plainHuman();
+    body.skin = plain.skin;
+    body.skeleton = plain.skeleton;
+    body.weights = plain.weights;
+    loading.result.clips = plain.clips;
+  } else {
+    const InputFile& input = std::get<InputFile>(source.from);
+    const io::Model& model = loading.library.file(input);
+    MeshLibrary::checkParts(source, model, input.path);
+    MergedMesh merged = mergeParts(
+        model, [&](const std::string& part) { return selects(source, part); }, model.skeleton.has_value());
+    if (merged.mesh.triangles.empty()) {
+      throw base::InputError(input.path, "", "none of the parts that make the body is skinned to its skeleton");
+    }
+    if (merged.unskinnedParts > 0) {
+      loading.result.issues.push_back({base::Severity::warning, input.path, "",
+                                       fmt::format("{} part(s) without skin weights are not part of the body",
+                                                   merged.unskinnedParts)});
+    }
+    body.skin = std::move(merged.mesh);
+    body.weights = std::move(merged.weights);
+    body.skeleton = body.weights ? model.skeleton : std::nullopt;
+    loading.result.clips = body.skeleton ? model.clips : std::vector<human::Clip>{};
+  }
+  if (body.skeleton) {
+    body.regions = human::bodyRegions(body.skin, *body.weights, *body.skeleton);
+  } else {
+    body.regions.names = {"unassigned"};
+    body.regions.ofTriangle.assign(body.skin.triangles.size(), 0);
+  }
+  return body;
+}
+
+geometry::TriangleMesh loadOrganMesh(Loading& loading, const study::Organ& organ, const std::string& place) {
+  if (const auto* builtin = std::get_if<Builtin>(&organ.mesh.from)) {
+    const manikin::PlainHuman& plain = loading.library.plainHuman();
+    const auto found = std::find_if(plain.organs.begin(), plain.organs.end(), [&](const manikin::PlainOrgan& o) {
+      return "plain/" + o.name == builtin->name;
+    });
+    if (found == plain.organs.end()) {
+      loading.fail(place + "/builtin",
+                   fmt::format("there is no built-in organ named \"{}\"; they are named plain/{}", builtin->name,
+                               fmt::join(manikin::builtinOrganNames(), ", plain/")));
+    }
+    return found->mesh;
+  }
+  const InputFile& input = std::get<InputFile>(organ.mesh.from);
+  const io::Model& model = loading.library.file(input);
+  MeshLibrary::checkParts(organ.mesh, model, input.path);
+  return mergeParts(model, [&](const std::string& part) { return selects(organ.mesh, part); }, false).mesh;
+}
+
+/// Says when an organ reaches out of the skin at rest, and by how much.
+void checkInside(Loading& loading, const LoadedOrgan& organ) {
+  const parenting::BodyRig& body = *loading.result.body;
+  const bool skinCloses = std::all_of(body.skinTopology()->closed.begin(), body.skinTopology()->closed.end(),
+                                      [](bool closed) { return closed; });
+  if (!skinCloses) {
+    return;
+  }
+  const parenting::SkinSide side = parenting::sideOfSkin(organ.rig.rest.positions, body, loading.threads);
+  if (side.outside > 0) {
+    loading.result.issues.push_back(
+        {base::Severity::warning, "", organ.name,
+         fmt::format("is not inside the skin at rest: {} of {} vertices are outside, the farthest by {:.1f} mm",
+                     side.outside, side.points, 1000.0 * side.farthestOutside)});
+  }
+}
+
+void loadOrgans(Loading& loading, const base::Progress& progress) {
+  const auto& organs = loading.result.study.organs;
+  for (std::size_t i = 0; i < organs.size(); ++i) {
+    progress.check();
+    const study::Organ& organ = organs[i];
+    const std::string place = fmt::format("/organs/{}", i);
+    viscera::OrganOptions options;
+    options.lattice = organ.lattice;
+    if (organ.joint) {
+      const auto& skeleton = loading.result.body->body().skeleton;
+      options.joint = skeleton ? skeleton->find(*organ.joint) : std::nullopt;
+      if (!options.joint) {
+        loading.fail(place + "/joint", fmt::format("the body has no joint named \"{}\"", *organ.joint));
+      }
+    }
+    LoadedOrgan loaded;
+    loaded.name = organ.name;
+    loaded.injuryClass = organ.injuryClass;
+    loaded.rig = viscera::bindOrgan(loadOrganMesh(loading, organ, place), organ.name, *loading.result.body, options,
+                                    loading.threads);
+    loaded.topology = raycast::makeTopology(loaded.rig.rest);
+    base::append(loading.result.issues, loaded.rig.issues);
+    checkInside(loading, loaded);
+    loading.result.organs.push_back(std::move(loaded));
+    progress.report(static_cast<double>(i + 1) / static_cast<double>(organs.size()));
+  }
+}
+
+/// A generated plate, laid on the body.
+geometry::TriangleMesh loadPlate(Loading& loading, const study::ArmorPiece& piece, const Builtin& builtin,
+                                 const std::string& place) {
+  if (builtin.name != "front_plate" && builtin.name != "back_plate") {
+    loading.fail(place + "/builtin", fmt::format("there is no built-in armor named \"{}\"; there are \"front_plate\" "
+                                                 "and \"back_plate\"",
+                                                 builtin.name));
+  }
+  const parenting::Body& body = loading.result.body->body();
+  armor::PlacedPlate placed =
+      armor::placePlate(body.skin, body.skeleton ? &*body.skeleton : nullptr,
+                        builtin.name == "front_plate" ? armor::PlateSide::front : armor::PlateSide::back,
+                        armor::mediumSapi());
+  for (base::Issue& issue : placed.issues) {
+    issue.place = issue.place.empty() ? piece.name : issue.place;
+  }
+  base::append(loading.result.issues, std::move(placed.issues));
+  return std::move(placed.mesh);
+}
+
+LoadedPiece loadPiece(Loading& loading, const study::ArmorPiece& piece, const std::string& place) {
+  LoadedPiece loaded;
+  loaded.name = piece.name;
+  if (const auto* builtin = std::get_if<Builtin>(&piece.mesh.from)) {
+    loaded.rig = armor::bindPiece(loadPlate(loading, piece, *builtin, place), piece.name, piece.carriage,
+                                  *loading.result.body, nullptr, nullptr, loading.threads);
+    return loaded;
+  }
+  const InputFile& input = std::get<InputFile>(piece.mesh.from);
+  const io::Model& model = loading.library.file(input);
+  MeshLibrary::checkParts(piece.mesh, model, input.path);
+  const auto protects = [&](const std::string& part) {
+    return std::none_of(piece.nonProtecting.begin(), piece.nonProtecting.end(),
+                        [&](const std::string& pattern) { return fits(part, pattern); });
+  };
+  MergedMesh merged = mergeParts(
+      model, [&](const std::string& part) { return selects(piece.mesh, part) && protects(part); }, false);
+  if (merged.mesh.triangles.empty()) {
+    loading.fail(place + "/non_protecting", "leaves no part of the piece that protects");
+  }
+  for (const io::Part& part : model.parts) {
+    if (selects(piece.mesh, part.name) && !protects(part.name)) {
+      loaded.nonProtecting.push_back(part.mesh);
+    }
+  }
+  loaded.rig = armor::bindPiece(std::move(merged.mesh), piece.name, piece.carriage, *loading.result.body,
+                                merged.weights ? &*merged.weights : nullptr,
+                                model.skeleton ? &*model.skeleton : nullptr, loading.threads);
+  return loaded;
+}
+
+void loadArmor(Loading& loading, const base::Progress& progress) {
+  const auto& systems = loading.result.study.systems;
+  for (std::size_t s = 0; s < systems.size(); ++s) {
+    for (std::size_t p = 0; p < systems[s].pieces.size(); ++p) {
+      progress.check();
+      LoadedPiece piece = loadPiece(loading, systems[s].pieces[p], fmt::format("/armor/{}/pieces/{}", s, p));
+      piece.system = s;
+      piece.topology = raycast::makeTopology(piece.rig.rest);
+      base::append(loading.result.issues, piece.rig.issues);
+      loading.result.pieces.push_back(std::move(piece));
+    }
+    progress.report(static_cast<double>(s + 1) / static_cast<double>(systems.size()));
+  }
+}
+
+const human::Clip* clipNamed(const LoadedStudy& study, const std::string& name) {
+  const auto found =
+      std::find_if(study.clips.begin(), study.clips.end(), [&](const human::Clip& c) { return c.name == name; });
+  return found == study.clips.end() ? nullptr : &*found;
+}
+
+const human::Skeleton& skeletonFor(const LoadedStudy& study, const std::string& pose) {
+  const auto& skeleton = study.body->body().skeleton;
+  if (!skeleton) {
+    throw base::InputError(study.file.string(), "",
+                           fmt::format("pose \"{}\" cannot be taken: the body has no skeleton, so it is only shot at "
+                                       "rest",
+                                       pose));
+  }
+  return *skeleton;
+}
+
+human::Pose clipPose(const LoadedStudy& study, const study::ClipPose& wanted, const std::string& pose) {
+  const human::Skeleton& skeleton = skeletonFor(study, pose);
+  const human::Clip* clip = clipNamed(study, wanted.clip);
+  if (clip == nullptr) {
+    std::vector<std::string> names;
+    std::transform(study.clips.begin(), study.clips.end(), std::back_inserter(names),
+                   [](const human::Clip& c) { return c.name; });
+    throw base::InputError(study.file.string(), "",
+                           fmt::format("pose \"{}\": the body has no clip named \"{}\"; it has {}", pose, wanted.clip,
+                                       names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+  }
+  if (!(wanted.seconds >= 0.0 && wanted.seconds <= clip->duration())) {
+    throw base::InputError(study.file.string(), "",
+                           fmt::format("pose \"{}\": {} s lies beyond the clip, which lasts {} s", pose,
+                                       wanted.seconds, clip->duration()));
+  }
+  return human::sample(*clip, skeleton, wanted.seconds);
+}
+
+human::Pose turnedPose(const LoadedStudy& study, const study::TurnedPose& wanted, const std::string& pose) {
+  const human::Skeleton& skeleton = skeletonFor(study, pose);
+  std::vector<human::JointTurn> turns;
+  for (const study::TurnedPose::Turn& turn : wanted.turns) {
+    const auto joint = skeleton.find(turn.joint);
+    if (!joint) {
+      throw base::InputError(study.file.string(), "",
+                             fmt::format("pose \"{}\": the body has no joint named \"{}\"", pose, turn.joint));
+    }
+    turns.push_back({*joint, turn.degrees});
+  }
+  return human::turnedPose(skeleton, turns, wanted.rootOffset);
+}
+
+}  // namespace
+
+LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Threads threads,
+                 const base::Progress& progress) {
+  for (const base::Issue& issue : study::checkInputs(study, file)) {
+    throw base::InputError(issue.file, issue.place, issue.text);
+  }
+  progress.report(0.05);
+  LoadedStudy result;
+  result.study = std::move(study);
+  result.file = file;
+  MeshLibrary library(file);
+  Loading loading{result, library, threads};
+  parenting::Body body = loadBody(loading);
+  progress.report(0.25);
+  const auto& models = result.study.models;
+  parenting::RigOptions options;
+  options.siteSpacing = result.study.siteSpacing;
+  options.thesisSites =
+      std::find(models.begin(), models.end(), viscera::OrganModel::dynamicThesis) != models.end();
+  result.body = std::make_unique<const parenting::BodyRig>(std::move(body), options, threads,
+                                                           progress.part(0.25, 0.5));
+  base::append(result.issues, result.body->issues());
+  loadOrgans(loading, progress.part(0.5, 0.85));
+  loadArmor(loading, progress.part(0.85, 1.0));
+  base::append(result.issues, library.takeIssues());
+  return result;
+}
+
+NamedPose resolvePose(const LoadedStudy& study, const std::string& name) {
+  if (name == "rest") {
+    return {name, std::nullopt};
+  }
+  const auto& poses = study.study.poses;
+  const auto found =
+      std::find_if(poses.begin(), poses.end(), [&](const study::Pose& pose) { return pose.name == name; });
+  if (found == poses.end()) {
+    const auto clip = study::clipPoseNamed(name);
+    if (!clip) {
+      throw base::InputError(study.file.string(), "",
+                             fmt::format("there is no pose named \"{}\"; give a pose of the study, rest, or "
+                                         "CLIP@SECONDS",
+                                         name));
+    }
+    return {name, clipPose(study, *clip, name)};
+  }
+  if (const auto* clip = std::get_if<study::ClipPose>(&found->what)) {
+    return {name, clipPose(study, *clip, name)};
+  }
+  return {name, turnedPose(study, std::get<study::TurnedPose>(found->what), name)};
+}
+
+std::vector<std::string> defaultPoses(const study::Study& study) {
+  if (!study.runPoses.empty()) {
+    return study.runPoses;
+  }
+  std::vector<std::string> names{"rest"};
+  for (const study::Pose& pose : study.poses) {
+    names.push_back(pose.name);
+  }
+  return names;
+}
+
+}  // namespace lorica::analysis

@@ -1,0 +1,133 @@
+#include "lorica/analysis/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lorica/analysis/posed_scene.h"
+#include "lorica/base/error.h"
+#include "lorica/geometry/measures.h"
+
+namespace lorica::analysis {
+
+using geometry::Vec3f;
+
+namespace {
+
+/// Sources with targets and cones that bound the posed skins of all poses compared.
+std::vector<ShotSource> prepareSources(const LoadedStudy& study, const RunOptions& options,
+                                       const std::vector<geometry::Positions>& skins, base::Issues& issues) {
+  geometry::Box3d box;
+  std::vector<std::span<const Vec3f>> spans;
+  for (const geometry::Positions& skin : skins) {
+    box.extend(geometry::bounds(skin));
+    spans.emplace_back(skin);
+  }
+  std::vector<ShotSource> sources;
+  for (std::size_t i = 0; i < study.study.sources.size(); ++i) {
+    const study::Source& wanted = study.study.sources[i];
+    ShotSource& made = sources.emplace_back();
+    made.source.name = wanted.name;
+    made.source.position = wanted.position;
+    made.source.target = wanted.target.value_or(box.center());
+    made.source.sampler = wanted.sampler;
+    made.shots = options.shots.value_or(wanted.shots);
+    if (made.source.position == made.source.target) {
+      throw base::InputError(study.file.string(), fmt::format("/sources/{}", i),
+                             "the source stands on its target; move one of them");
+    }
+    if (wanted.sampler == shotline::Sampler::thesis) {
+      issues.push_back({base::Severity::warning, "", wanted.name,
+                        "the thesis' sampler (Eq 15) sends half of its shots backwards and its hit rate depends on the "
+                        "world's axes; use it for comparison only"});
+      continue;
+    }
+    made.source.halfAngle = shotline::boundingHalfAngle(made.source.position, made.source.target, spans);
+    made.solidAngle = shotline::solidAngle(made.source.halfAngle);
+  }
+  return sources;
+}
+
+struct Plan {
+  std::vector<NamedPose> poses;
+  std::vector<geometry::Positions> skins;  // posed, one per pose
+};
+
+Plan planPoses(const LoadedStudy& study, const RunOptions& options, RunResult& result,
+               const base::Progress& progress) {
+  Plan plan;
+  for (const std::string& name : options.poses.empty() ? defaultPoses(study.study) : options.poses) {
+    if (std::find(result.poses.begin(), result.poses.end(), name) != result.poses.end()) {
+      continue;
+    }
+    plan.poses.push_back(resolvePose(study, name));
+    result.poses.push_back(name);
+  }
+  for (const NamedPose& pose : plan.poses) {
+    if (progress.cancelled()) {
+      break;
+    }
+    parenting::PosedBody posed = study.body->pose(pose.pose, options.threads);
+    const std::size_t collapsed = posed.sites.collapsed.size() + posed.thesisSites.collapsed.size();
+    result.collapsedSites.push_back(collapsed);
+    if (collapsed > 0) {
+      result.issues.push_back({base::Severity::warning, "", pose.name,
+                               fmt::format("the anchors of {} interior site(s) collapsed; the nearest sound site "
+                                           "stands in for each",
+                                           collapsed)});
+    }
+    plan.skins.push_back(std::move(posed.skin));
+  }
+  return plan;
+}
+
+}  // namespace
+
+RunResult run(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress) {
+  RunResult result;
+  result.issues = study.issues;
+  result.models = study.study.models;
+  result.systems.emplace_back("unarmored");
+  for (const study::ArmorSystem& system : study.study.systems) {
+    result.systems.push_back(system.name);
+  }
+  result.seed = options.seed.value_or(study.study.seed);
+  result.trials = options.trials.value_or(study.study.trials);
+  const Plan plan = planPoses(study, options, result, progress);
+  if (progress.cancelled()) {
+    result.partial = true;
+    return result;
+  }
+  result.sources = prepareSources(study, options, plan.skins, result.issues);
+
+  for (std::size_t s = 0; s < result.sources.size(); ++s) {
+    for (std::size_t p = 0; p < plan.poses.size(); ++p) {
+      result.results.push_back({s, p, {}, {}});
+    }
+  }
+  const double steps = static_cast<double>(plan.poses.size() * result.sources.size() * result.trials);
+  double step = 0.0;
+  // Pose by pose, so that only one scene is in memory.
+  for (std::size_t p = 0; p < plan.poses.size() && !result.partial; ++p) {
+    const PosedScene scene(study, result.models, plan.poses[p].pose, raycast::SceneUse::manyRays, options.threads);
+    for (std::size_t s = 0; s < result.sources.size() && !result.partial; ++s) {
+      SourcePoseResult& here = result.results[s * plan.poses.size() + p];
+      for (std::uint32_t trial = 0; trial < result.trials && !result.partial; ++trial) {
+        const shotline::ShotGenerator shots(result.sources[s].source, result.seed, trial);
+        try {
+          const shotline::TraceResult traced =
+              shotline::trace(scene.scene(), scene.layout(), shots, result.sources[s].shots, options.threads,
+                              progress.part(step / steps, (step + 1.0) / steps));
+          here.trials.push_back(traced.tally);
+          here.counts.add(traced.counts);
+        } catch (const base::Cancelled&) {
+          result.partial = true;
+        }
+        step += 1.0;
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace lorica::analysis

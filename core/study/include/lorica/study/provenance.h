@@ -1,0 +1,55 @@
+#pragma once
+
+/// \file
+/// Where a result comes from: enough to compute it again and to judge it.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lorica/base/issue.h"
+#include "lorica/study/study.h"
+
+namespace lorica::study {
+
+struct Provenance {
+  struct SourceRecord {
+    std::string name;
+    geometry::Vec3d position;
+    geometry::Vec3d target;
+    std::string sampler;
+    std::uint64_t shots = 0;     ///< per trial
+    double halfAngle = 0.0;      ///< radians
+    double solidAngle = 0.0;     ///< steradians
+  };
+  struct RunRecord {
+    std::string source;
+    std::string pose;
+    std::size_t trials = 0;  ///< finished
+    std::uint64_t rays = 0;
+    std::uint64_t retraced = 0;
+    std::uint64_t unresolved = 0;
+    std::uint64_t nearOpenEdge = 0;
+  };
+
+  Study study;
+  std::uint64_t seed = 0;
+  std::uint32_t trials = 0;
+  bool partial = false;
+  std::vector<std::string> poses;
+  std::vector<std::string> systems;
+  std::vector<std::string> models;
+  std::vector<SourceRecord> sources;
+  std::vector<RunRecord> runs;
+  std::size_t interiorSites = 0;
+  std::vector<std::size_t> collapsedSites;  ///< per pose
+  base::Issues issues;
+};
+
+/// JSON text. Depends on nothing but its argument and the program's version.
+std::string provenanceText(const Provenance& provenance);
+
+/// The program's version, "MAJOR.MINOR.PATCH".
+std::string version();
+
+}  // namespace lorica::study

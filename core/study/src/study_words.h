@@ -1,0 +1,75 @@
+#pragma once
+
+/// \file
+/// The words of the study file: the keys each object knows and the texts of its choices. Reader, writer and the JSON
+/// Schema speak the same ones; a test holds them together.
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "lorica/study/study.h"
+
+namespace lorica::study {
+
+inline constexpr auto studyKeys =
+    std::to_array<std::string_view>({"lorica_study", "name", "description", "human", "organs", "armor", "poses",
+                                     "run_poses", "sources", "models", "trials", "seed", "site_spacing_mm"});
+inline constexpr auto humanKeys =
+    std::to_array<std::string_view>({"file", "sha256", "units", "up", "builtin", "parts"});
+inline constexpr auto organKeys = std::to_array<std::string_view>(
+    {"name", "description", "file", "sha256", "units", "up", "builtin", "parts", "class", "joint", "lattice"});
+inline constexpr auto latticeKeys = std::to_array<std::string_view>({"layout", "cells", "cell_mm", "prune"});
+inline constexpr auto systemKeys = std::to_array<std::string_view>({"name", "description", "pieces"});
+inline constexpr auto pieceKeys =
+    std::to_array<std::string_view>({"name", "description", "file", "sha256", "units", "up", "builtin", "parts",
+                                     "carriage", "non_protecting", "areal_density_kg_m2", "material"});
+inline constexpr auto poseKeys =
+    std::to_array<std::string_view>({"name", "description", "clip", "seconds", "turns", "root_offset"});
+inline constexpr auto turnKeys = std::to_array<std::string_view>({"joint", "degrees"});
+inline constexpr auto sourceKeys =
+    std::to_array<std::string_view>({"name", "description", "type", "position", "target", "sampler", "shots"});
+
+template <class Value>
+using Word = std::pair<std::string_view, Value>;
+
+inline constexpr auto layoutWords =
+    std::to_array<Word<LatticeSettings::Layout>>({{"bounding_box", LatticeSettings::Layout::boundingBox},
+                                                  {"uniform", LatticeSettings::Layout::uniform},
+                                                  {"per_axis", LatticeSettings::Layout::perAxis},
+                                                  {"cell_size", LatticeSettings::Layout::cellSize}});
+inline constexpr auto carriageWords =
+    std::to_array<Word<Carriage>>({{"rigid", Carriage::rigid}, {"skinned", Carriage::skinned}});
+inline constexpr auto samplerWords =
+    std::to_array<Word<Sampler>>({{"cone", Sampler::cone}, {"thesis", Sampler::thesis}});
+inline constexpr auto modelWords = std::to_array<Word<OrganModel>>({{"static_joint", OrganModel::staticJoint},
+                                                                    {"static_skin", OrganModel::staticSkin},
+                                                                    {"dynamic_thesis", OrganModel::dynamicThesis},
+                                                                    {"dynamic", OrganModel::dynamic}});
+inline constexpr auto unitWords = std::to_array<Word<base::LengthUnit>>({{"m", base::LengthUnit::metre},
+                                                                         {"cm", base::LengthUnit::centimetre},
+                                                                         {"mm", base::LengthUnit::millimetre},
+                                                                         {"in", base::LengthUnit::inch}});
+inline constexpr auto upWords = std::to_array<Word<char>>({{"y", 'y'}, {"z", 'z'}});
+inline constexpr auto classWords =
+    std::to_array<Word<std::string_view>>({{"essential", "essential"}, {"desirable", "desirable"}});
+/// Sources are points so far.
+inline constexpr auto sourceTypeWords = std::to_array<Word<std::string_view>>({{"point", "point"}});
+
+/// Rows of the results that no organ or armor piece may be named like.
+inline constexpr auto reservedStructures = std::to_array<std::string_view>({"body", "miss", "armor", "organs"});
+inline constexpr std::string_view unarmored = "unarmored";
+inline constexpr std::string_view restPose = "rest";
+
+/// The text of a choice. \pre the value is in the table
+template <class Value, std::size_t N>
+std::string_view wordFor(const Value& value, const std::array<Word<Value>, N>& table) {
+  for (const auto& [word, known] : table) {
+    if (known == value) {
+      return word;
+    }
+  }
+  return table.front().first;
+}
+
+}  // namespace lorica::study

@@ -1,0 +1,245 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "json_text.h"
+#include "lorica/base/error.h"
+#include "lorica/base/files.h"
+#include "lorica/study/study_file.h"
+#include "study_words.h"
+
+namespace lorica::study {
+
+namespace {
+
+/// Shortest text that reads back as the same number; both zeros are "0".
+std::string numberText(double value) {
+  LORICA_CHECK(std::isfinite(value), "a study holds finite numbers only");
+  return fmt::format("{}", value == 0.0 ? 0.0 : value);
+}
+
+/// Millimetres that the reader turns back into these metres, with the fewest digits.
+double millimetres(double metres) {
+  const double product = metres * 1000.0;
+  double best = product;
+  bool found = false;
+  for (const double candidate : {product, std::nextafter(product, 0.0), std::nextafter(product, 2.0 * product)}) {
+    if (candidate / 1000.0 == metres && (!found || numberText(candidate).size() < numberText(best).size())) {
+      best = candidate;
+      found = true;
+    }
+  }
+  return best;
+}
+
+std::string scalarText(const Json& value) {
+  return value.is_number_float() ? numberText(value.get<double>()) : value.dump();
+}
+
+/// Two spaces a level; a list of numbers stays on one line.
+void print(const Json& value, const std::string& indent, std::string& out) {
+  if (!value.is_structured() || value.empty()) {
+    out += scalarText(value);
+    return;
+  }
+  const bool flat = value.is_array() && value.front().is_number();
+  const std::string inner = flat ? "" : "\n" + indent + "  ";
+  out += value.is_array() ? '[' : '{';
+  const char* separator = "";
+  for (const auto& [key, entry] : value.items()) {
+    out += separator + inner + (value.is_array() ? "" : Json(key).dump() + ": ");
+    print(entry, indent + "  ", out);
+    separator = flat ? ", " : ",";
+  }
+  out += flat ? "" : "\n" + indent;
+  out += value.is_array() ? ']' : '}';
+}
+
+Json vectorJson(const geometry::Vec3d& vector) {
+  return Json::array({vector.x(), vector.y(), vector.z()});
+}
+
+void putText(Json& object, const char* key, const std::string& text) {
+  if (!text.empty()) {
+    object[key] = text;
+  }
+}
+
+void putNames(Json& object, const char* key, const std::vector<std::string>& names) {
+  if (!names.empty()) {
+    object[key] = names;
+  }
+}
+
+void putMesh(Json& object, const MeshSource& mesh) {
+  if (const auto* builtin = std::get_if<Builtin>(&mesh.from)) {
+    object["builtin"] = builtin->name;
+  } else {
+    const auto& input = std::get<InputFile>(mesh.from);
+    object["file"] = input.path;
+    putText(object, "sha256", input.sha256);
+    if (input.units) {
+      object["units"] = wordFor(*input.units, unitWords);
+    }
+    if (input.up) {
+      object["up"] = wordFor(*input.up, upWords);
+    }
+  }
+  putNames(object, "parts", mesh.parts);
+}
+
+Json named(const std::string& name, const std::string& description) {
+  Json object;
+  object["name"] = name;
+  putText(object, "description", description);
+  return object;
+}
+
+Json latticeJson(const LatticeSettings& lattice) {
+  using Layout = LatticeSettings::Layout;
+  const LatticeSettings defaults;
+  Json object = Json::object();
+  if (lattice.layout != defaults.layout) {
+    object["layout"] = wordFor(lattice.layout, layoutWords);
+  }
+  const auto& [x, y, z] = lattice.cells;
+  if (lattice.layout == Layout::uniform || lattice.layout == Layout::perAxis) {
+    object["cells"] = x == y && y == z ? Json(x) : Json(lattice.cells);
+  }
+  if (lattice.layout == Layout::cellSize && lattice.cellMetres != defaults.cellMetres) {
+    object["cell_mm"] = millimetres(lattice.cellMetres);
+  }
+  if (lattice.prune != defaults.prune) {
+    object["prune"] = lattice.prune;
+  }
+  return object;
+}
+
+Json organJson(const Organ& organ) {
+  Json object = named(organ.name, organ.description);
+  putMesh(object, organ.mesh);
+  putText(object, "class", organ.injuryClass);
+  if (organ.joint) {
+    object["joint"] = *organ.joint;
+  }
+  if (Json lattice = latticeJson(organ.lattice); !lattice.empty()) {
+    object["lattice"] = std::move(lattice);
+  }
+  return object;
+}
+
+Json pieceJson(const ArmorPiece& piece) {
+  Json object = named(piece.name, piece.description);
+  putMesh(object, piece.mesh);
+  if (piece.carriage != Carriage::rigid) {
+    object["carriage"] = wordFor(piece.carriage, carriageWords);
+  }
+  putNames(object, "non_protecting", piece.nonProtecting);
+  if (piece.arealDensity) {
+    object["areal_density_kg_m2"] = *piece.arealDensity;
+  }
+  putText(object, "material", piece.material);
+  return object;
+}
+
+Json systemJson(const ArmorSystem& system) {
+  Json object = named(system.name, system.description);
+  for (const ArmorPiece& piece : system.pieces) {
+    object["pieces"].push_back(pieceJson(piece));
+  }
+  return object;
+}
+
+Json poseJson(const Pose& pose) {
+  Json object = named(pose.name, pose.description);
+  if (const auto* clip = std::get_if<ClipPose>(&pose.what)) {
+    object["clip"] = clip->clip;
+    if (clip->seconds != 0.0) {
+      object["seconds"] = clip->seconds;
+    }
+    return object;
+  }
+  const auto& turned = std::get<TurnedPose>(pose.what);
+  object["turns"] = Json::object();
+  for (const TurnedPose::Turn& turn : turned.turns) {
+    object["turns"][turn.joint] = vectorJson(turn.degrees);
+  }
+  if (turned.rootOffset != geometry::Vec3d::Zero()) {
+    object["root_offset"] = vectorJson(turned.rootOffset);
+  }
+  return object;
+}
+
+Json sourceJson(const Source& source) {
+  const Source defaults;
+  Json object = named(source.name, source.description);
+  object["position"] = vectorJson(source.position);
+  if (source.target) {
+    object["target"] = vectorJson(*source.target);
+  }
+  if (source.sampler != defaults.sampler) {
+    object["sampler"] = wordFor(source.sampler, samplerWords);
+  }
+  if (source.shots != defaults.shots) {
+    object["shots"] = source.shots;
+  }
+  return object;
+}
+
+template <class Item>
+void putList(Json& object, const char* key, const std::vector<Item>& items, Json (*json)(const Item&)) {
+  for (const Item& item : items) {
+    object[key].push_back(json(item));
+  }
+}
+
+Json studyJson(const Study& study) {
+  const Study defaults;
+  Json root;
+  root["lorica_study"] = studyVersion;
+  putText(root, "name", study.name);
+  putText(root, "description", study.description);
+  root["human"] = Json::object();
+  putMesh(root["human"], study.human);
+  putList(root, "organs", study.organs, organJson);
+  putList(root, "armor", study.systems, systemJson);
+  putList(root, "poses", study.poses, poseJson);
+  putNames(root, "run_poses", study.runPoses);
+  putList(root, "sources", study.sources, sourceJson);
+  if (study.models != defaults.models) {
+    root["models"] = Json::array();
+    for (const OrganModel model : study.models) {
+      root["models"].push_back(name(model));
+    }
+  }
+  if (study.trials != defaults.trials) {
+    root["trials"] = study.trials;
+  }
+  if (study.seed != defaults.seed) {
+    root["seed"] = study.seed;
+  }
+  if (study.siteSpacing != defaults.siteSpacing) {
+    root["site_spacing_mm"] = millimetres(study.siteSpacing);
+  }
+  return root;
+}
+
+}  // namespace
+
+std::string studyText(const Study& study) {
+  std::string text;
+  try {
+    print(studyJson(study), "", text);
+  } catch (const Json::type_error&) {
+    throw base::InputError("", "", "a name, path or text of the study is not UTF-8; rename it");
+  }
+  return text + '\n';
+}
+
+void saveStudy(const Study& study, const std::filesystem::path& path) {
+  base::writeFileAtomically(path, studyText(study));
+}
+
+}  // namespace lorica::study

@@ -1,0 +1,76 @@
+#pragma once
+
+/// \file
+/// A study that uses every key, and what reading a text says about it.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "json_text.h"
+#include "lorica/base/error.h"
+#include "lorica/study/study_file.h"
+
+namespace lorica::study {
+
+inline const char* const fullStudy = R"({
+  "lorica_study": 1,
+  "name": "full",
+  "description": "every key",
+  "human": {
+    "file": "body.glb", "units": "m", "up": "y", "parts": ["skin"],
+    "sha256": "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef"
+  },
+  "organs": [
+    {"name": "heart", "description": "a", "builtin": "plain/heart", "class": "essential", "joint": "spine_2",
+     "lattice": {"layout": "uniform", "cells": 3, "prune": false}},
+    {"name": "liver", "file": "organs/liver.stl", "units": "mm", "up": "z", "parts": ["left", "right"],
+     "sha256": "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef",
+     "class": "desirable", "lattice": {"layout": "per_axis", "cells": [1, 2, 3]}},
+    {"name": "spleen", "builtin": "plain/spleen", "lattice": {"cell_mm": 12.5}},
+    {"name": "stomach", "builtin": "plain/stomach", "lattice": {"layout": "bounding_box"}}
+  ],
+  "armor": [
+    {"name": "vest", "description": "b", "pieces": [
+      {"name": "front", "description": "c", "file": "vest/front.glb", "units": "cm", "up": "y", "parts": ["plate"],
+       "sha256": "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef",
+       "carriage": "skinned", "non_protecting": ["pouch*"], "areal_density_kg_m2": 30.5, "material": "steel"},
+      {"name": "back", "builtin": "back_plate"}]},
+    {"name": "bare", "pieces": [{"name": "lone", "builtin": "front_plate"}]}
+  ],
+  "poses": [
+    {"name": "bent", "description": "d", "clip": "toe_touch", "seconds": 2},
+    {"name": "turned", "turns": {"elbow_L": [0, 0, 90], "neck": [1, -2, 3.5]}, "root_offset": [0, -0.1, 0]},
+    {"name": "listed", "turns": [{"joint": "neck", "degrees": [1, 2, 3]}]}
+  ],
+  "run_poses": ["rest", "bent", "walk@1.5"],
+  "sources": [
+    {"name": "front", "description": "e", "type": "point", "position": [0, 1, 5], "target": [0, 1.2, 0],
+     "sampler": "thesis", "shots": 1000},
+    {"name": "left", "position": [5, 1, 0]}
+  ],
+  "models": ["static_skin", "dynamic_thesis"],
+  "trials": 7,
+  "seed": 18446744073709551615,
+  "site_spacing_mm": 25
+})";
+
+/// The error that parsing ends in; a test failure and an empty error when there is none.
+inline base::InputError errorOf(const std::string& text) {
+  try {
+    parseStudy(text, "s.lorica.json");
+  } catch (const base::InputError& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no error in " << text;
+  return {"", "", ""};
+}
+
+/// The full study with another value at a JSON pointer.
+inline Json fullStudyWith(const std::string& pointer, const Json& value) {
+  Json tree = Json::parse(fullStudy);
+  tree[Json::json_pointer(pointer)] = value;
+  return tree;
+}
+
+}  // namespace lorica::study

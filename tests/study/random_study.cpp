@@ -1,0 +1,230 @@
+#include "random_study.h"
+
+#include <cmath>
+
+namespace lorica::test {
+
+using namespace study;
+
+namespace {
+
+template <class Value>
+Value oneOf(std::initializer_list<Value> values) {
+  return *rc::gen::elementOf(std::vector<Value>(values));
+}
+
+bool coin() {
+  return *rc::gen::arbitrary<bool>();
+}
+
+/// Letters that need care in JSON, in pointers and in UTF-8.
+std::string words() {
+  const std::vector<std::string> pieces{"a",
+                                        "Z",
+                                        "0",
+                                        " ",
+                                        "\"",
+                                        "\\",
+                                        "/",
+                                        "~",
+                                        ".",
+                                        "@",
+                                        ":",
+                                        "{",
+                                        "]",
+                                        "'",
+                                        ",",
+                                        "\xC3\xA9",
+                                        "\xE2\x82\xAC",
+                                        "\xF0\x9F\x98\x80"};
+  std::string text;
+  for (const std::string& piece : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(pieces))) {
+    text += piece;
+  }
+  return text;
+}
+
+/// Different for different kinds and indices.
+std::string uniqueName(const char* kind, std::size_t index) {
+  return words() + kind + std::to_string(index);
+}
+
+/// Free text may have line breaks and be empty.
+std::string freeText() {
+  return coin() ? words() + oneOf<std::string>({"", "\n\t", std::string("\0x", 2)}) : "";
+}
+
+double anyNumber(double limit) {
+  const double mantissa = static_cast<double>(*rc::gen::arbitrary<std::int64_t>()) * 0x1p-63;
+  return coin() ? std::round(mantissa * 100.0) : mantissa * limit * std::exp2(-*rc::gen::inRange(0, 60));
+}
+
+geometry::Vec3d anyVector() {
+  const double limit = 99999.0;
+  const double x = anyNumber(limit);
+  const double y = anyNumber(limit);
+  return {x, y, anyNumber(limit)};
+}
+
+double anyMetresOfMillimetres(double low, double high) {
+  const double share = std::abs(anyNumber(1.0));
+  const double mm = low + (high - low) * (share - std::floor(share));
+  return (coin() ? std::ceil(mm) : mm) / 1000.0;
+}
+
+template <class Item, class Make>
+std::vector<Item> several(Make make) {
+  std::vector<Item> items;
+  const auto count = *rc::gen::inRange<std::size_t>(0, 4);
+  for (std::size_t i = 0; i < count; ++i) {
+    items.push_back(make(i));
+  }
+  return items;
+}
+
+std::vector<std::string> names() {
+  return several<std::string>([](std::size_t i) { return uniqueName("p", i); });
+}
+
+MeshSource anyMesh() {
+  MeshSource mesh;
+  if (coin()) {
+    mesh.from = Builtin{uniqueName("builtin", 0)};
+  } else {
+    InputFile file;
+    file.path = uniqueName("file", 0);
+    if (coin()) {
+      file.sha256 = *rc::gen::container<std::string>(64, rc::gen::elementOf(std::string("0123456789abcdef")));
+    }
+    if (coin()) {
+      file.units = oneOf({base::LengthUnit::metre, base::LengthUnit::centimetre, base::LengthUnit::millimetre,
+                          base::LengthUnit::inch});
+    }
+    if (coin()) {
+      file.up = oneOf({'y', 'z'});
+    }
+    mesh.from = file;
+  }
+  mesh.parts = names();
+  return mesh;
+}
+
+LatticeSettings anyLattice() {
+  using Layout = LatticeSettings::Layout;
+  LatticeSettings lattice;
+  lattice.layout = oneOf({Layout::boundingBox, Layout::uniform, Layout::perAxis, Layout::cellSize});
+  if (lattice.layout == Layout::uniform || lattice.layout == Layout::perAxis) {
+    for (int& count : lattice.cells) {
+      count = *rc::gen::inRange(1, 4) * oneOf({1, 250});
+    }
+  }
+  if (lattice.layout == Layout::cellSize && coin()) {
+    lattice.cellMetres = anyMetresOfMillimetres(0.2, 2000.0);
+  }
+  lattice.prune = coin();
+  return lattice;
+}
+
+Organ anyOrgan(std::size_t index) {
+  Organ organ;
+  organ.name = uniqueName("organ", index);
+  organ.mesh = anyMesh();
+  organ.injuryClass = oneOf<std::string>({"", "essential", "desirable"});
+  if (coin()) {
+    organ.joint = uniqueName("joint", 0);
+  }
+  organ.lattice = anyLattice();
+  organ.description = freeText();
+  return organ;
+}
+
+ArmorPiece anyPiece(std::size_t index) {
+  ArmorPiece piece;
+  piece.name = uniqueName("piece", index);
+  piece.mesh = anyMesh();
+  piece.carriage = oneOf({Carriage::rigid, Carriage::skinned});
+  piece.nonProtecting = names();
+  if (coin()) {
+    piece.arealDensity = std::abs(anyNumber(9999.0)) + 0.001;
+  }
+  piece.material = coin() ? uniqueName("material", 0) : "";
+  piece.description = freeText();
+  return piece;
+}
+
+ArmorSystem anySystem(std::size_t index) {
+  ArmorSystem system;
+  system.name = uniqueName("system", index);
+  system.pieces = several<ArmorPiece>([&](std::size_t i) { return anyPiece(10 * index + i); });
+  system.description = freeText();
+  return system;
+}
+
+Pose anyPose(std::size_t index) {
+  Pose pose;
+  pose.name = uniqueName("pose", index);
+  if (coin()) {
+    pose.what = ClipPose{uniqueName("clip", 0), std::abs(anyNumber(1e5))};
+  } else {
+    TurnedPose turned;
+    turned.turns = several<TurnedPose::Turn>([](std::size_t i) {
+      return TurnedPose::Turn{uniqueName("joint", i), anyVector()};
+    });
+    turned.rootOffset = coin() ? anyVector() : geometry::Vec3d::Zero();
+    pose.what = turned;
+  }
+  pose.description = freeText();
+  return pose;
+}
+
+Source anySource(std::size_t index) {
+  Source source;
+  source.name = uniqueName("source", index);
+  source.position = anyVector();
+  if (coin()) {
+    source.target = anyVector();
+  }
+  source.sampler = oneOf({Sampler::cone, Sampler::thesis});
+  source.shots =
+      oneOf<std::uint64_t>({1, 100000, *rc::gen::inRange<std::uint64_t>(1, 1000000000000ULL), 1000000000000ULL});
+  source.description = freeText();
+  return source;
+}
+
+Study makeStudy() {
+  Study study;
+  study.name = coin() ? uniqueName("study", 0) : "";
+  study.description = freeText();
+  study.human = anyMesh();
+  study.organs = several<Organ>(anyOrgan);
+  study.systems = several<ArmorSystem>(anySystem);
+  study.poses = several<Pose>(anyPose);
+  for (const Pose& pose : study.poses) {
+    if (coin()) {
+      study.runPoses.push_back(pose.name);
+    }
+  }
+  if (coin()) {
+    study.runPoses.emplace_back(oneOf<std::string>({"rest", "walk@0.125"}));
+  }
+  study.sources = several<Source>(anySource);
+  study.models.clear();
+  for (const OrganModel model :
+       {OrganModel::staticJoint, OrganModel::staticSkin, OrganModel::dynamicThesis, OrganModel::dynamic}) {
+    if (coin()) {
+      study.models.push_back(model);
+    }
+  }
+  study.trials = oneOf<std::uint32_t>({1, 5, 100000});
+  study.seed = *rc::gen::arbitrary<std::uint64_t>();
+  study.siteSpacing = anyMetresOfMillimetres(5.0, 500.0);
+  return study;
+}
+
+}  // namespace
+
+rc::Gen<Study> anyStudy() {
+  return rc::gen::exec(makeStudy);
+}
+
+}  // namespace lorica::test

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <rapidcheck/gtest.h>
+#include <limits>
+
+#include "full_study.h"
+#include "lorica/base/files.h"
+#include "random_study.h"
+#include "schema_validator.h"
+#include "temporary_folder.h"
+
+namespace lorica::study {
+namespace {
+
+RC_GTEST_PROP(StudyText, ReadsBackAsTheSameStudy, ()) {
+  const Study study = *test::anyStudy();
+  const std::string text = studyText(study);
+  const Study back = parseStudy(text, "random");
+  RC_ASSERT(back == study);
+  RC_ASSERT(studyText(back) == text);
+}
+
+RC_GTEST_PROP(StudyText, IsWhatTheSchemaDescribes, ()) {
+  RC_ASSERT(test::studySchema().accepts(Json::parse(studyText(*test::anyStudy()))));
+}
+
+TEST(StudyText, OfTheFullStudyReadsBackAndKeepsItsBytes) {
+  const Study study = parseStudy(fullStudy, "s");
+  const std::string text = studyText(study);
+  EXPECT_EQ(parseStudy(text, "s"), study);
+  EXPECT_EQ(studyText(parseStudy(text, "s")), text);
+}
+
+TEST(StudyText, IsOrderedIndentedShortAndEndsWithALineBreak) {
+  Study study;
+  study.name = "small";
+  study.human.from = Builtin{"plain"};
+  study.sources.resize(1);
+  study.sources[0].name = "front";
+  study.sources[0].position = {0.0, 1.5, 5.0};
+  study.poses.resize(1);
+  study.poses[0].name = "still";
+  study.poses[0].what = TurnedPose{};
+  study.siteSpacing = 0.035;
+  EXPECT_EQ(studyText(study), R"({
+  "lorica_study": 1,
+  "name": "small",
+  "human": {
+    "builtin": "plain"
+  },
+  "poses": [
+    {
+      "name": "still",
+      "turns": {}
+    }
+  ],
+  "sources": [
+    {
+      "name": "front",
+      "position": [0, 1.5, 5]
+    }
+  ],
+  "site_spacing_mm": 35
+}
+)");
+}
+
+TEST(StudyText, OmitsEveryDefault) {
+  Study study;
+  study.human.from = Builtin{"plain"};
+  EXPECT_EQ(studyText(study), "{\n  \"lorica_study\": 1,\n  \"human\": {\n    \"builtin\": \"plain\"\n  }\n}\n");
+}
+
+TEST(StudyText, IsEqualForEqualStudiesWhateverTheSignOfZero) {
+  Study plus;
+  plus.human.from = Builtin{"plain"};
+  plus.sources.resize(1);
+  plus.sources[0].name = "a";
+  Study minus = plus;
+  minus.sources[0].position = {-0.0, 0.0, -0.0};
+  ASSERT_EQ(plus, minus);
+  EXPECT_EQ(studyText(plus), studyText(minus));
+}
+
+TEST(StudyText, RefusesWhatAFileCannotHold) {
+  Study study;
+  study.human.from = Builtin{"\xFF"};
+  EXPECT_THROW(studyText(study), base::InputError);
+  study.human.from = Builtin{"plain"};
+  study.siteSpacing = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(studyText(study), base::CallerError);
+}
+
+TEST(StudyText, MovesASizeThatIsNoMillimetresByLessThanItsLastDigit) {
+  Study study;
+  study.human.from = Builtin{"plain"};
+  for (double metres = 0.005; metres < 0.5; metres = std::nextafter(metres * 1.01, 1.0)) {
+    study.siteSpacing = metres;
+    const Study back = parseStudy(studyText(study), "s");
+    EXPECT_NEAR(back.siteSpacing, metres, 2.3e-16 * metres);
+    EXPECT_EQ(parseStudy(studyText(back), "s"), back);
+  }
+}
+
+TEST(StudyFile, SavesAndLoads) {
+  const test::TemporaryFolder folder;
+  const Study study = parseStudy(fullStudy, "s");
+  saveStudy(study, folder.path() / "deeper" / "a.lorica.json");
+  EXPECT_EQ(loadStudy(folder.path() / "deeper" / "a.lorica.json"), study);
+  EXPECT_EQ(base::readFile(folder.path() / "deeper" / "a.lorica.json"), studyText(study));
+}
+
+TEST(StudyFile, NamesTheFileThatCannotBeLoaded) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "none.lorica.json";
+  try {
+    loadStudy(path);
+    FAIL();
+  } catch (const base::InputError& error) {
+    EXPECT_EQ(error.file(), path.string());
+  }
+}
+
+}  // namespace
+}  // namespace lorica::study
