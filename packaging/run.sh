@@ -52,8 +52,10 @@ step() {
 }
 
 jobs=$(nproc 2>/dev/null || getconf _NPROCESSORS_ONLN)
-say 'building Release (the first time takes some minutes)'
-[ -e build/release/build.ninja ] || step cmake --preset release
+if [ ! -e build/release/build.ninja ]; then
+  say 'building Release; the first time takes some minutes'
+  step cmake --preset release
+fi
 step cmake --build --preset release --target lorica-cli -j "$jobs"
 
 cli=build/release/app/cli/lorica-cli

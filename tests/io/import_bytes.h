@@ -30,6 +30,7 @@ class ScratchFolder {
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+    std::filesystem::remove(path_ / name);  // some file systems wait for the disk when a file is overwritten
     std::ofstream(path_ / name, std::ios::binary) << bytes;
     return path_ / name;
   }

@@ -1,0 +1,154 @@
+#include "lorica/shotline/trace.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lorica/geometry/primitives.h"
+#include "lorica/stats/intervals.h"
+
+namespace lorica::shotline {
+namespace {
+
+using geometry::TriangleMesh;
+using geometry::Vec3d;
+using geometry::Vec3f;
+
+/// A sphere for skin in two regions (left and right), two armor systems, two organs in two models.
+class Target : public testing::Test {
+ protected:
+  Target() : scene_(raycast::SceneUse::manyRays) {
+    meshes_.push_back(geometry::ellipsoid({0, 0, 0}, {1, 1, 1}, 5));          // skin
+    meshes_.push_back(geometry::box({-2, -2, 1.5}, {2, 0, 1.6}));             // piece 0 of system 1: lower half
+    meshes_.push_back(geometry::box({-2, -2, 1.7}, {2, 2, 1.8}));             // piece 1 of system 2: everything
+    meshes_.push_back(geometry::box({-2, -2, 1.2}, {0, 2, 1.3}));             // piece 2 of system 2: behind it
+    meshes_.push_back(geometry::ellipsoid({0, 0, 0.5}, {0.3, 0.3, 0.3}, 4));  // model 0: organ 0 in front
+    meshes_.push_back(geometry::ellipsoid({0, 0, -0.5}, {0.5, 0.5, 0.3}, 4));  // model 0: organ 1 behind it
+    meshes_.push_back(geometry::ellipsoid({0, 0.4, 0.5}, {0.3, 0.3, 0.3}, 4));  // model 1: organ 0 has moved up
+    meshes_.push_back(meshes_[5]);
+    for (const TriangleMesh& mesh : meshes_) {
+      scene_.add(mesh.positions, raycast::makeTopology(mesh));
+    }
+    scene_.build();
+    for (std::size_t t = 0; t < meshes_[0].triangles.size(); ++t) {
+      const double x = meshes_[0].corner(t, 0).x() + meshes_[0].corner(t, 1).x() + meshes_[0].corner(t, 2).x();
+      regions_.push_back(x > 0 ? 0 : 1);
+    }
+    layout_.regionOfTriangle = regions_;
+    layout_.regions = 2;
+    layout_.systems = 3;
+    layout_.pieceSystem = {1, 2, 2};
+    layout_.organs = 2;
+    layout_.models = 2;
+    source_.name = "front";
+    source_.position = {0, 0, 8};
+    source_.target = {0, 0, 0};
+    source_.halfAngle = 0.16;
+  }
+
+  TraceResult shoot(std::uint64_t shots, base::Threads threads = {}) const {
+    return trace(scene_, layout_, ShotGenerator(source_, 3, 0), shots, threads);
+  }
+
+  std::vector<TriangleMesh> meshes_;
+  raycast::Scene scene_;
+  std::vector<std::uint16_t> regions_;
+  TargetLayout layout_;
+  PointSource source_;
+};
+
+TEST_F(Target, ASpheresHitShareLiesAroundItsSolidAngle) {
+  const Tally tally = shoot(200000).tally;
+  const double share = solidAngle(std::asin(1.0 / 8.0)) / solidAngle(0.16);
+  const stats::Interval interval = stats::wilson(tally.body(0).any, tally.shots(), 0.9999);
+  EXPECT_GT(share, interval.low - 1e-3) << "the mesh is a little smaller than the sphere";
+  EXPECT_LT(share, interval.high + 1e-3);
+}
+
+TEST_F(Target, HitAndMissMakeAllShots) {
+  const Tally tally = shoot(50000).tally;
+  EXPECT_EQ(tally.body(0).any + tally.miss().any, 50000U);
+}
+
+TEST_F(Target, TheUnarmoredBaselineProtectsNothing) {
+  const Tally tally = shoot(50000).tally;
+  EXPECT_EQ(tally.body(0).shielded, 0U);
+  EXPECT_EQ(tally.body(0).first, tally.body(0).any);
+  EXPECT_EQ(tally.organ(0, 0, 0).shielded, 0U);
+  EXPECT_EQ(tally.anyArmor(0).any, 0U);
+}
+
+TEST_F(Target, AWallInFrontProtectsEverythingAndHalfAWallHalf) {
+  const Tally tally = shoot(100000).tally;
+  EXPECT_EQ(tally.body(2).shielded, tally.body(2).any);
+  EXPECT_EQ(tally.organ(0, 0, 2).shielded, tally.organ(0, 0, 2).any);
+  const double half = static_cast<double>(tally.body(1).shielded) / static_cast<double>(tally.body(1).any);
+  EXPECT_NEAR(half, 0.5, 5 * 0.5 / std::sqrt(static_cast<double>(tally.body(1).any)));
+}
+
+TEST_F(Target, AnyIsFirstPlusProtectedForTheSkinAndArmorMetBeforeItForPieces) {
+  const Tally tally = shoot(50000).tally;
+  for (std::size_t system = 0; system < 3; ++system) {
+    EXPECT_EQ(tally.body(system).first + tally.body(system).shielded, tally.body(system).any);
+  }
+  EXPECT_EQ(tally.piece(1).first, tally.piece(1).any) << "nothing lies before the outer wall";
+  EXPECT_EQ(tally.piece(1).shielded, 0U);
+  EXPECT_EQ(tally.piece(2).shielded, tally.piece(2).any) << "the inner piece is wholly behind the outer";
+}
+
+TEST_F(Target, TheOrganInFrontIsHitFirst) {
+  const Tally tally = shoot(100000).tally;
+  const Count front = tally.organ(0, 0, 0);
+  const Count back = tally.organ(1, 0, 0);
+  EXPECT_EQ(front.first, front.any);
+  EXPECT_LT(back.first, back.any);
+  EXPECT_EQ(front.first + back.first, tally.anyOrgan(0, 0).any);
+  EXPECT_GT(tally.organ(1, 1, 0).first, back.first) << "the organ that moved up uncovers the one behind it";
+}
+
+TEST_F(Target, EveryModelIsMetByTheSameShots) {
+  const Tally tally = shoot(30000).tally;
+  EXPECT_EQ(tally.organ(1, 0, 0).any, tally.organ(1, 1, 0).any) << "the same mesh in both models";
+}
+
+TEST_F(Target, FirstHitsOfTheRegionsAddUpToThoseOfTheBody) {
+  const Tally tally = shoot(50000).tally;
+  for (std::size_t system = 0; system < 3; ++system) {
+    EXPECT_EQ(tally.region(0, system).first + tally.region(1, system).first, tally.body(system).first);
+  }
+}
+
+TEST_F(Target, CountsDoNotDependOnTheNumberOfThreads) {
+  const TraceResult one = shoot(60000, {1});
+  const TraceResult two = shoot(60000, {2});
+  const TraceResult five = shoot(60000, {5});
+  EXPECT_EQ(one.tally, two.tally);
+  EXPECT_EQ(one.tally, five.tally);
+  EXPECT_EQ(one.counts, five.counts);
+}
+
+TEST_F(Target, PartsAddUpToTheWhole) {
+  // Shots 0..k are a prefix of shots 0..n: the rest of the whole is what the others count.
+  Tally twice = shoot(20000).tally;
+  twice.add(shoot(20000).tally);
+  EXPECT_EQ(twice.shots(), 40000U);
+  EXPECT_EQ(twice.body(1).any, 2 * shoot(20000).tally.body(1).any);
+}
+
+TEST_F(Target, IsStoppedByItsToken) {
+  base::Task task;
+  task.cancel();
+  EXPECT_THROW(trace(scene_, layout_, ShotGenerator(source_, 3, 0), 1000000, {}, base::Progress(task)),
+               base::Cancelled);
+}
+
+TEST_F(Target, NestedSpheresGiveTheRatioOfTheirSolidAngles) {
+  const Tally tally = shoot(400000).tally;
+  // The organ behind in model 0 is an ellipsoid; the front organ is a sphere of radius 0.3 at 7.5 m.
+  const double ratio = solidAngle(std::asin(0.3 / 7.5)) / solidAngle(std::asin(1.0 / 8.0));
+  const double found = static_cast<double>(tally.organ(0, 0, 0).withBody) / static_cast<double>(tally.body(0).any);
+  EXPECT_NEAR(found, ratio, 0.02 * ratio);
+}
+
+}  // namespace
+}  // namespace lorica::shotline
