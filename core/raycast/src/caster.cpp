@@ -104,22 +104,46 @@ void sortAndMerge(std::vector<Hit>& hits, const Scene& scene) {
   hits.resize(kept);
 }
 
-/// What travels with a ray through Embree. The base must stand first: Embree hands back a pointer to it.
+/// What travels with rays through Embree. The base must stand first: Embree hands back a pointer to it.
 struct Caster::Context {
 #if RTC_VERSION_MAJOR >= 4
   RTCRayQueryContext base;
 #else
   RTCIntersectContext base;
 #endif
-  std::vector<Candidate>* candidates;
+  std::vector<Candidate>* lanes;  // of each ray, by its id
 
+  /// Takes note of every hit and rejects it, so that the ray goes on.
   static void record(const RTCFilterFunctionNArguments* arguments) {
     auto* context = reinterpret_cast<Context*>(arguments->context);
-    const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
-    context->candidates->push_back({hit->geomID, hit->primID});
-    arguments->valid[0] = 0;
+    const unsigned count = arguments->N;
+    for (unsigned i = 0; i < count; ++i) {
+      if (arguments->valid[i] != 0) {
+        context->lanes[RTCRayN_id(arguments->ray, count, i)].push_back(
+            {RTCHitN_geomID(arguments->hit, count, i), RTCHitN_primID(arguments->hit, count, i)});
+        arguments->valid[i] = 0;
+      }
+    }
   }
 };
+
+namespace {
+
+#if RTC_VERSION_MAJOR >= 4
+/// Asks for the filter in the context of the query.
+template <class Context>
+RTCIntersectArguments argumentsOf(Context& context) {
+  rtcInitRayQueryContext(&context.base);
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context.base;
+  arguments.filter = Context::record;
+  arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+  return arguments;
+}
+#endif
+
+}  // namespace
 
 Caster::Caster(const Scene& scene) : scene_(&scene), sums_(scene.meshes()) {
   for (std::size_t m = 0; m < sums_.size(); ++m) {
@@ -151,14 +175,9 @@ void Caster::collect(const Ray& ray) {
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   Context context{};
-  context.candidates = &candidates_;
+  context.lanes = &candidates_;
 #if RTC_VERSION_MAJOR >= 4
-  rtcInitRayQueryContext(&context.base);
-  RTCIntersectArguments arguments;
-  rtcInitIntersectArguments(&arguments);
-  arguments.context = &context.base;
-  arguments.filter = Context::record;
-  arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+  RTCIntersectArguments arguments = argumentsOf(context);
   rtcIntersect1(scene_->impl_->scene, &query, &arguments);
 #else
   rtcInitIntersectContext(&context.base);
@@ -166,6 +185,51 @@ void Caster::collect(const Ray& ray) {
   rtcIntersect1(scene_->impl_->scene, &context.base, &query);
 #endif
   decide(ray);
+}
+
+void Caster::collectPacket(std::span<const Ray> packet) {
+  alignas(32) std::array<int, packetWidth> valid{};
+  alignas(32) RTCRayHit8 query{};
+  for (std::size_t i = 0; i < packet.size(); ++i) {
+    lanes_[i].clear();
+    valid[i] = -1;
+    query.ray.org_x[i] = packet[i].origin.x();
+    query.ray.org_y[i] = packet[i].origin.y();
+    query.ray.org_z[i] = packet[i].origin.z();
+    query.ray.dir_x[i] = packet[i].direction.x();
+    query.ray.dir_y[i] = packet[i].direction.y();
+    query.ray.dir_z[i] = packet[i].direction.z();
+    query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    query.ray.mask[i] = 0xFFFFFFFFU;
+    query.ray.id[i] = static_cast<unsigned>(i);
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  Context context{};
+  context.lanes = lanes_.data();
+#if RTC_VERSION_MAJOR >= 4
+  RTCIntersectArguments arguments = argumentsOf(context);
+  rtcIntersect8(valid.data(), scene_->impl_->scene, &query, &arguments);
+#else
+  rtcInitIntersectContext(&context.base);
+  context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  context.base.filter = Context::record;
+  rtcIntersect8(valid.data(), scene_->impl_->scene, &context.base, &query);
+#endif
+}
+
+std::span<const Hit> Caster::finishLane(const Ray& ray, std::size_t lane) {
+  ++counts_.rays;
+  if (lanes_[lane].empty()) {
+    return {};
+  }
+  std::swap(candidates_, lanes_[lane]);
+  hits_.clear();
+  nearOpen_ = false;
+  decide(ray);
+  counts_.nearOpenEdge += nearOpen_ ? 1 : 0;
+  balance(ray);
+  return hits_;
 }
 
 void Caster::decide(const Ray& ray) {

@@ -1,7 +1,9 @@
 #include "lorica/shotline/trace.h"
 
 #include <algorithm>
+#include <array>
 #include <mutex>
+#include <numeric>
 #include <limits>
 
 #include "lorica/base/error.h"
@@ -119,36 +121,63 @@ void ShotCounter::countOrgan(std::uint32_t slot, std::uint32_t order) {
 
 namespace {
 
-/// Spreads the low 10 bits to every third place.
+/// Spreads the low 7 bits to every third place.
 std::uint32_t spread(std::uint32_t v) {
-  v = (v | (v << 16U)) & 0x030000FFU;
   v = (v | (v << 8U)) & 0x0300F00FU;
   v = (v | (v << 4U)) & 0x030C30C3U;
   return (v | (v << 2U)) & 0x09249249U;
 }
 
-/// Rays as neighbours in this order run through the same part of the scene (Morton order of the directions within the
-/// box they span). Which order shots are traced in changes no count.
-void sortForCoherence(std::vector<raycast::Ray>& rays, std::vector<std::pair<std::uint32_t, std::uint32_t>>& keys,
-                      std::vector<raycast::Ray>& sorted) {
+/// Buffers of one block of shots.
+struct Block {
+  std::vector<raycast::Ray> rays;
+  std::vector<raycast::Ray> sorted;
+  std::vector<std::uint32_t> keys;
+  std::vector<std::uint32_t> order;
+  std::vector<std::uint32_t> scratch;
+};
+
+/// One stable pass of a radix sort: by 11 bits of the keys, from `shift` up.
+void radixPass(const std::vector<std::uint32_t>& keys, const std::vector<std::uint32_t>& from,
+               std::vector<std::uint32_t>& to, unsigned shift) {
+  constexpr std::uint32_t buckets = 2048;
+  std::array<std::uint32_t, buckets + 1> start{};
+  for (const std::uint32_t i : from) {
+    ++start[((keys[i] >> shift) & (buckets - 1)) + 1];
+  }
+  for (std::size_t b = 0; b < buckets; ++b) {
+    start[b + 1] += start[b];
+  }
+  for (const std::uint32_t i : from) {
+    to[start[(keys[i] >> shift) & (buckets - 1)]++] = i;
+  }
+}
+
+/// Puts rays in an order in which neighbours run through the same part of the scene: Morton order of the directions
+/// within the box they span. Which order shots are traced in changes no count.
+void sortForCoherence(Block& block) {
   Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
   Vec3f high = -low;
-  for (const raycast::Ray& ray : rays) {
+  for (const raycast::Ray& ray : block.rays) {
     low = low.cwiseMin(ray.direction);
     high = high.cwiseMax(ray.direction);
   }
-  const Vec3f scale = (high - low).cwiseMax(1e-30F).cwiseInverse() * 1023.0F;
-  keys.resize(rays.size());
-  for (std::uint32_t i = 0; i < rays.size(); ++i) {
-    const Vec3f cell = (rays[i].direction - low).cwiseProduct(scale);
-    keys[i] = {spread(static_cast<std::uint32_t>(cell.x())) | (spread(static_cast<std::uint32_t>(cell.y())) << 1U) |
-                   (spread(static_cast<std::uint32_t>(cell.z())) << 2U),
-               i};
+  const Vec3f scale = (high - low).cwiseMax(1e-30F).cwiseInverse() * 127.0F;
+  const std::size_t count = block.rays.size();
+  block.keys.resize(count);
+  block.order.resize(count);
+  block.scratch.resize(count);
+  block.sorted.resize(count);
+  std::iota(block.scratch.begin(), block.scratch.end(), 0U);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3f cell = (block.rays[i].direction - low).cwiseProduct(scale);
+    block.keys[i] = spread(static_cast<std::uint32_t>(cell.x())) | (spread(static_cast<std::uint32_t>(cell.y())) << 1U) |
+                    (spread(static_cast<std::uint32_t>(cell.z())) << 2U);
   }
-  std::sort(keys.begin(), keys.end());
-  sorted.resize(rays.size());
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    sorted[i] = rays[keys[i].second];
+  radixPass(block.keys, block.scratch, block.order, 0);
+  radixPass(block.keys, block.order, block.scratch, 11);
+  for (std::size_t i = 0; i < count; ++i) {
+    block.sorted[i] = block.rays[block.scratch[i]];
   }
 }
 
@@ -165,19 +194,15 @@ TraceResult trace(const raycast::Scene& scene, const TargetLayout& layout, const
   base::parallelFor(blocks, 1, threads, [&](std::size_t begin, std::size_t end) {
     raycast::Caster caster(scene);
     ShotCounter counter(layout);
-    std::vector<raycast::Ray> rays;
-    std::vector<raycast::Ray> sorted;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> keys;
+    Block buffers;
     for (std::size_t b = begin; b < end; ++b) {
       progress.check();
-      rays.clear();
+      buffers.rays.clear();
       for (std::uint64_t shot = b * block; shot < std::min(count, (b + 1) * block); ++shot) {
-        rays.push_back(shots.shot(shot));
+        buffers.rays.push_back(shots.shot(shot));
       }
-      sortForCoherence(rays, keys, sorted);
-      for (const raycast::Ray& ray : sorted) {
-        counter.count(caster.cast(ray));
-      }
+      sortForCoherence(buffers);
+      caster.castMany(buffers.sorted, [&](std::size_t, std::span<const raycast::Hit> hits) { counter.count(hits); });
     }
     const std::lock_guard lock(merging);
     result.tally.add(counter.tally());
