@@ -41,5 +41,9 @@ function(lorica_add_test name)
   target_link_libraries(${name} PRIVATE lorica_warnings lorica_numerics lorica_sanitizers ${ARG_LINK}
     GTest::gtest GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE LORICA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  # Of a list of labels gtest_discover_tests keeps the first and spoils what follows, so they are set afterwards.
+  file(CONFIGURE OUTPUT ${name}_labels.cmake @ONLY
+    CONTENT "set_tests_properties(\${@name@_TESTS} PROPERTIES LABELS \"@ARG_LABELS@\")\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}_labels.cmake)
 endfunction()

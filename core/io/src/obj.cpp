@@ -16,8 +16,8 @@ using geometry::Vec3d;
 namespace {
 
 /// Statements of the format that say nothing about a surface of polygons.
-constexpr std::array<std::string_view, 12> ignored{"vt",     "vn",     "vp",     "s",     "mg",  "usemtl",
-                                                   "mtllib", "usemap", "maplib", "bevel", "lod", "mtl"};
+constexpr std::array<std::string_view, 11> ignored{"vt",     "vn",     "vp",     "s",     "mg", "usemtl",
+                                                   "mtllib", "usemap", "maplib", "bevel", "lod"};
 /// Points, lines and free-form geometry: not read, and the user is told.
 constexpr std::array<std::string_view, 28> unread{
     "p",     "l",     "cstype", "deg", "bmat", "step", "curv",       "curv2",     "surf",     "parm",

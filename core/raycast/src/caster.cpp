@@ -147,7 +147,10 @@ RTCIntersectArguments argumentsOf(Context& context) {
 
 Caster::Caster(const Scene& scene) : scene_(&scene), sums_(scene.meshes()) {
   for (std::size_t m = 0; m < sums_.size(); ++m) {
-    sums_[m].assign(scene.topology(MeshIndex{m}).closed.size(), 0);
+    const MeshTopology& topology = scene.topology(MeshIndex{m});
+    sums_[m].assign(topology.closed.size(), 0);
+    meshes_.push_back({scene.positions(MeshIndex{m}), topology.triangles.data(), topology.componentOf.data(),
+                       &topology});
   }
 }
 
@@ -212,10 +215,25 @@ void Caster::collectPacket(std::span<const Ray> packet) {
   rtcIntersect8(valid.data(), scene_->impl_->scene, &query, &arguments);
 #else
   rtcInitIntersectContext(&context.base);
-  context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   context.base.filter = Context::record;
   rtcIntersect8(valid.data(), scene_->impl_->scene, &context.base, &query);
 #endif
+}
+
+void Caster::fetchAhead(std::size_t lanes) const {
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    for (const Candidate& candidate : lanes_[lane]) {
+      __builtin_prefetch(meshes_[candidate.mesh].triangles + candidate.triangle);
+      __builtin_prefetch(meshes_[candidate.mesh].componentOf + candidate.triangle);
+    }
+  }
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    for (const Candidate& candidate : lanes_[lane]) {
+      for (const std::uint32_t vertex : meshes_[candidate.mesh].triangles[candidate.triangle]) {
+        __builtin_prefetch(meshes_[candidate.mesh].positions + vertex);
+      }
+    }
+  }
 }
 
 std::span<const Hit> Caster::finishLane(const Ray& ray, std::size_t lane) {
@@ -234,7 +252,7 @@ std::span<const Hit> Caster::finishLane(const Ray& ray, std::size_t lane) {
 
 void Caster::decide(const Ray& ray) {
   for (const Candidate& candidate : candidates_) {
-    const MeshTopology& topology = *scene_->impl_->meshes[candidate.mesh].topology;
+    const MeshTopology& topology = *meshes_[candidate.mesh].topology;
     nearOpen_ = nearOpen_ || (topology.hasOpenEdges && nearOpenEdge(ray, candidate));
     if (decideOne(ray, candidate.mesh, candidate.triangle)) {
       continue;
@@ -252,19 +270,19 @@ void Caster::decide(const Ray& ray) {
 }
 
 bool Caster::decideOne(const Ray& ray, std::uint32_t mesh, std::uint32_t triangle) {
-  const Scene::Impl::Mesh& target = scene_->impl_->meshes[mesh];
-  const geometry::Triangle& corner = target.topology->triangles[triangle];
+  const MeshView& target = meshes_[mesh];
+  const geometry::Triangle& corner = target.triangles[triangle];
   const auto found =
       crossing(ray, target.positions[corner[0]], target.positions[corner[1]], target.positions[corner[2]]);
   if (found) {
-    hits_.push_back({found->t, mesh, target.topology->componentOf[triangle], triangle, found->entering});
+    hits_.push_back({found->t, mesh, target.componentOf[triangle], triangle, found->entering});
   }
   return found.has_value();
 }
 
 bool Caster::nearOpenEdge(const Ray& ray, const Candidate& candidate) const {
-  const Scene::Impl::Mesh& target = scene_->impl_->meshes[candidate.mesh];
-  const geometry::Triangle& corner = target.topology->triangles[candidate.triangle];
+  const MeshView& target = meshes_[candidate.mesh];
+  const geometry::Triangle& corner = target.triangles[candidate.triangle];
   const Vec3d direction = ray.direction.cast<double>();
   const Vec3d origin = ray.origin.cast<double>();
   for (std::size_t k = 0; k < 3; ++k) {
@@ -322,8 +340,7 @@ void Caster::findUnbalanced(const Ray& ray, std::vector<std::uint32_t>& meshes) 
   }
   for (const Hit& hit : hits_) {
     int& sum = sums_[hit.mesh][hit.component];
-    const bool closed = scene_->impl_->meshes[hit.mesh].topology->closed[hit.component];
-    if (sum != 0 && closed && sum != -originWinding(ray, hit.mesh, hit.component)) {
+    if (sum != 0 && meshes_[hit.mesh].topology->closed[hit.component] && sum != -originWinding(ray, hit.mesh, hit.component)) {
       meshes.push_back(hit.mesh);
     }
     sum = 0;
@@ -340,7 +357,7 @@ void Caster::balance(const Ray& ray) {
   ++counts_.retraced;
   for (const std::uint32_t mesh : suspects_) {
     std::erase_if(hits_, [&](const Hit& hit) { return hit.mesh == mesh; });
-    const std::size_t triangles = scene_->impl_->meshes[mesh].topology->triangles.size();
+    const std::size_t triangles = meshes_[mesh].topology->triangles.size();
     for (std::size_t t = 0; t < triangles; ++t) {
       decideOne(ray, mesh, static_cast<std::uint32_t>(t));
     }

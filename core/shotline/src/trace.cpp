@@ -186,7 +186,9 @@ void sortForCoherence(Block& block) {
 TraceResult trace(const raycast::Scene& scene, const TargetLayout& layout, const ShotGenerator& shots,
                   std::uint64_t count, base::Threads threads, const base::Progress& progress) {
   LORICA_CHECK(scene.meshes() == layout.meshes(), "the scene's meshes stand as the layout says");
-  constexpr std::uint64_t block = 16384;
+  // Large blocks run more coherent rays, small ones keep all threads busy to the end.
+  const auto crew = static_cast<std::uint64_t>(threads.count > 0 ? threads.count : base::machineThreads());
+  const std::uint64_t block = std::clamp<std::uint64_t>(count / (8 * crew), 1024, 16384);
   const std::uint64_t blocks = (count + block - 1) / block;
   TraceResult result{Tally(layout), {}};
   std::mutex merging;

@@ -3,6 +3,7 @@
 /// \file
 /// Posed scenes out, for other programs to open: GLB, PLY and VTK PolyData.
 
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -16,9 +17,9 @@ enum class SceneFormat { glb, ply, vtp };
 
 /// One structure of an exported scene.
 struct SceneMesh {
-  std::string name;                              ///< structure; becomes the node's name
-  std::string kind;                              ///< "body", "organ" or "armor"
-  std::span<const geometry::Vec3f> positions;    ///< metres
+  std::string name;                            ///< structure; becomes the node's name
+  std::string kind;                            ///< "body", "organ" or "armor"
+  std::span<const geometry::Vec3f> positions;  ///< metres
   std::span<const geometry::Triangle> triangles;
   std::array<float, 4> colour{0.8F, 0.8F, 0.8F, 1.0F};  ///< red, green, blue, opacity; 0 to 1, linear
 };
@@ -27,13 +28,16 @@ struct SceneMesh {
 /// PLY: binary, one mesh with vertex normals, face colours and a face property `structure` (index; the names are
 /// comment lines "structure INDEX NAME"). VTP: one PolyData with cell arrays `structure` (index), `colour`, and the
 /// names as the string field array `structure_names`.
+/// Names are made one line. Colours are linear in GLB and sRGB bytes elsewhere, as other programs show them.
 /// The same scene gives the same bytes.
+/// \pre corners are below positions.size()
 std::string sceneBytes(std::span<const SceneMesh> scene, SceneFormat format);
 
 /// sceneBytes() into a file, all or nothing. \throw base::InputError when the place cannot be written
 void writeScene(std::span<const SceneMesh> scene, SceneFormat format, const std::filesystem::path& path);
 
-/// One row of a CSV file: fields that hold a comma, a quote or a line break are quoted (RFC 4180).
+/// One row of a CSV file: fields that hold a comma, a quote or a line break are quoted (RFC 4180). It ends with a
+/// line feed.
 std::string csvRow(std::span<const std::string> fields);
 
 }  // namespace lorica::io

@@ -69,6 +69,7 @@ class Caster {
     for (std::size_t begin = 0; begin < rays.size(); begin += packetWidth) {
       const std::span<const Ray> packet = rays.subspan(begin, std::min(packetWidth, rays.size() - begin));
       collectPacket(packet);
+      fetchAhead(packet.size());
       for (std::size_t lane = 0; lane < packet.size(); ++lane) {
         use(begin + lane, finishLane(packet[lane], lane));
       }
@@ -85,10 +86,19 @@ class Caster {
     std::uint32_t mesh;
     std::uint32_t triangle;
   };
+  /// What decisions read of a mesh, without a detour.
+  struct MeshView {
+    const geometry::Vec3f* positions;
+    const geometry::Triangle* triangles;
+    const std::uint32_t* componentOf;
+    const MeshTopology* topology;
+  };
   struct Context;
   static constexpr std::size_t packetWidth = 8;
 
   void collectPacket(std::span<const Ray> packet);
+  /// Asks the memory for what the decisions on a packet's candidates will read.
+  void fetchAhead(std::size_t lanes) const;
   std::span<const Hit> finishLane(const Ray& ray, std::size_t lane);
   void collect(const Ray& ray);
   void decide(const Ray& ray);
@@ -101,6 +111,7 @@ class Caster {
   int originWinding(const Ray& ray, std::uint32_t mesh, std::uint32_t component);
 
   const Scene* scene_;
+  std::vector<MeshView> meshes_;
   std::vector<Candidate> candidates_;
   std::array<std::vector<Candidate>, packetWidth> lanes_;
   std::vector<Hit> hits_;
