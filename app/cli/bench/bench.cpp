@@ -20,8 +20,8 @@ namespace lorica::bench {
 
 namespace {
 
-constexpr int repetitions = 9;
-constexpr std::uint64_t rayCount = 200000;
+constexpr int repetitions = 7;
+constexpr std::uint64_t rayCount = 1000000;
 
 template <class Work>
 double secondsOf(const Work& work) {

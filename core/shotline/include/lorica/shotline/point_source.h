@@ -47,6 +47,8 @@ class ShotGenerator {
  private:
   PointSource source_;
   stats::ShotKey key_;
+  geometry::Vec3f origin_;
+  double widestDrop_ = 0.0;  ///< 1 - cos of the half-angle
   geometry::Mat3d axes_;  ///< columns: two across the cone's axis, then the axis
 };
 
