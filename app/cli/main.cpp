@@ -97,8 +97,7 @@ void addImport(CLI::App& app, int& code) {
       ->allow_extra_args(false);
   command->add_flag("--plates", arguments->plates, "add the generated front and back plates");
   command->add_flag("--split", request.split, "each node of an organ file is a structure of its own");
-  command->add_option("--units", arguments->units, "unit of all files")
-      ->check(CLI::IsMember({"m", "cm", "mm", "in"}));
+  command->add_option("--units", arguments->units, "unit of all files")->check(CLI::IsMember({"m", "cm", "mm", "in"}));
   command->add_option("--up", arguments->up, "up axis of all files")->check(CLI::IsMember({"y", "z"}));
   command->add_option("--out", request.studyFile, "the study to write (*.lorica.json)")->required();
   command->callback([arguments, command, &code] {

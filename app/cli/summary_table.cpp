@@ -26,10 +26,9 @@ std::string cells(const ResultRow& row) {
   const auto interval = row.coverageInterval();
   const std::string hit = percent ? fmt::format("{:.2f}", *percent) : "-";
   // Zeros of structures that nothing can cover (no armor in the system) say nothing.
-  const std::string covered =
-      coverage && interval
-          ? fmt::format("{:5.1f} ({:5.1f} to {:5.1f})", 100 * *coverage, 100 * interval->low, 100 * interval->high)
-          : "-";
+  const std::string covered = coverage && interval ? fmt::format("{:5.1f} ({:5.1f} to {:5.1f})", 100 * *coverage,
+                                                                 100 * interval->low, 100 * interval->high)
+                                                   : "-";
   return fmt::format("{:>8}  {:>24}", hit, covered);
 }
 
@@ -59,8 +58,8 @@ std::string summaryTable(const analysis::RunResult& result, const std::vector<Re
     }
     text += first.substr(0, first.find_last_not_of(' ') + 1) + "\n" + second + "\n";
     for (const ResultRow& row : rows) {
-      const bool here = row.source == head.source && row.system == head.system && row.pose == head.pose &&
-                        row.model == head.model;
+      const bool here =
+          row.source == head.source && row.system == head.system && row.pose == head.pose && row.model == head.model;
       const bool shown = row.kind == "organ" || (row.kind == "aggregate" && row.structure == "organs") ||
                          (row.kind == "body" && row.structure == "body");
       if (!here || !shown) {
@@ -74,8 +73,9 @@ std::string summaryTable(const analysis::RunResult& result, const std::vector<Re
       text += "\n";
     }
   }
-  text += "\nhit %: shots that cross the structure, of the shots that hit the body.\n"
-          "coverage: of the shots that cross the structure, those that meet armor first; 95 % Wilson interval.\n";
+  text +=
+      "\nhit %: shots that cross the structure, of the shots that hit the body.\n"
+      "coverage: of the shots that cross the structure, those that meet armor first; 95 % Wilson interval.\n";
   return text;
 }
 

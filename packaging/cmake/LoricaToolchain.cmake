@@ -26,6 +26,10 @@ endif()
 add_library(lorica_warnings INTERFACE)
 target_compile_options(lorica_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
   -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC 12 warns of overlaps in std::string's own operator+ that cannot happen.
+  target_compile_options(lorica_warnings INTERFACE -Wno-restrict)
+endif()
 if(LORICA_SANITIZE)
   # The optimiser sees paths through the instrumentation that cannot be taken and warns about them.
   target_compile_options(lorica_warnings INTERFACE -Wno-maybe-uninitialized)

@@ -73,21 +73,22 @@ TEST(JointParenting, TakesTheNearestJointAndTurnsWithIt) {
   const Body body = bendingBody();
   EXPECT_EQ(nearestJoint(*body.skeleton, {0, 1.4, 0}), human::JointIndex{1});
   EXPECT_EQ(nearestJoint(*body.skeleton, {0, 0.2, 0}), human::JointIndex{0});
-  const human::Pose bent =
-      human::turnedPose(*body.skeleton, {{human::JointIndex{1}, Vec3d(90, 0, 0)}}, Vec3d::Zero());
+  const human::Pose bent = human::turnedPose(*body.skeleton, {{human::JointIndex{1}, Vec3d(90, 0, 0)}}, Vec3d::Zero());
   const auto carry = carryJoints(*body.skeleton, bent);
   EXPECT_TRUE(carry[0].isIdentity());
   EXPECT_LT((carry[1] * Vec3d(0, 1.4, 0) - Vec3d(0, 1, 0.4)).norm(), 1e-12);
 }
 
-TEST(SideOfSkin, TellsHowFarPointsAreInsideAndOutside) {
+TEST(Strays, TellHowManyPointsAreOnTheWrongSideOfTheSkinAndHowFar) {
   const BodyRig rig(bendingBody(), {}, {});
   const std::vector<Vec3f> points{Vec3f(0, 1, 0), Vec3f(0.5F, 1, 0), Vec3f(0.1F, 1, 0)};
-  const SkinSide side = sideOfSkin(points, rig, {});
-  EXPECT_EQ(side.inside, 2U);
-  EXPECT_EQ(side.outside, 1U);
-  EXPECT_NEAR(side.farthestOutside, 0.3, 1e-3);
-  EXPECT_NEAR(side.deepestInside, 0.15, 2e-3);
+  const Strays outside = outsideSkin(points, rig, {});
+  EXPECT_EQ(outside.points, 3U);
+  EXPECT_EQ(outside.strayed, 1U);
+  EXPECT_NEAR(outside.farthest, 0.3, 1e-3);
+  const Strays inside = insideSkin(points, rig, {});
+  EXPECT_EQ(inside.strayed, 2U);
+  EXPECT_NEAR(inside.farthest, 0.15, 2e-3);
 }
 
 }  // namespace

@@ -18,12 +18,12 @@ using geometry::Vec3f;
 class Target : public testing::Test {
  protected:
   Target() : scene_(raycast::SceneUse::manyRays) {
-    meshes_.push_back(geometry::ellipsoid({0, 0, 0}, {1, 1, 1}, 5));          // skin
-    meshes_.push_back(geometry::box({-2, -2, 1.5}, {2, 0, 1.6}));             // piece 0 of system 1: lower half
-    meshes_.push_back(geometry::box({-2, -2, 1.7}, {2, 2, 1.8}));             // piece 1 of system 2: everything
-    meshes_.push_back(geometry::box({-2, -2, 1.2}, {0, 2, 1.3}));             // piece 2 of system 2: behind it
-    meshes_.push_back(geometry::ellipsoid({0, 0, 0.5}, {0.3, 0.3, 0.3}, 4));  // model 0: organ 0 in front
-    meshes_.push_back(geometry::ellipsoid({0, 0, -0.5}, {0.5, 0.5, 0.3}, 4));  // model 0: organ 1 behind it
+    meshes_.push_back(geometry::ellipsoid({0, 0, 0}, {1, 1, 1}, 5));            // skin
+    meshes_.push_back(geometry::box({-2, -2, 1.5}, {2, 0, 1.6}));               // piece 0 of system 1: lower half
+    meshes_.push_back(geometry::box({-2, -2, 1.7}, {2, 2, 1.8}));               // piece 1 of system 2: everything
+    meshes_.push_back(geometry::box({-2, -2, 1.2}, {0, 2, 1.3}));               // piece 2 of system 2: behind it
+    meshes_.push_back(geometry::ellipsoid({0, 0, 0.5}, {0.3, 0.3, 0.3}, 4));    // model 0: organ 0 in front
+    meshes_.push_back(geometry::ellipsoid({0, 0, -0.5}, {0.5, 0.5, 0.3}, 4));   // model 0: organ 1 behind it
     meshes_.push_back(geometry::ellipsoid({0, 0.4, 0.5}, {0.3, 0.3, 0.3}, 4));  // model 1: organ 0 has moved up
     meshes_.push_back(meshes_[5]);
     for (const TriangleMesh& mesh : meshes_) {

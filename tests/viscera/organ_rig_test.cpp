@@ -59,8 +59,7 @@ class Trunk : public testing::Test {
 TEST_F(Trunk, AtRestReturnsEveryOrganVertexBitForBitInEveryModel) {
   for (const OrganModel model : allModels) {
     const Positions posed = posedOrgan(model, std::nullopt);
-    EXPECT_EQ(std::memcmp(posed.data(), organ_.rest.positions.data(), posed.size() * sizeof(Vec3f)), 0)
-        << name(model);
+    EXPECT_EQ(std::memcmp(posed.data(), organ_.rest.positions.data(), posed.size() * sizeof(Vec3f)), 0) << name(model);
     const Positions restPose = posedOrgan(model, human::restPose(*rig_.body().skeleton));
     EXPECT_EQ(std::memcmp(restPose.data(), organ_.rest.positions.data(), posed.size() * sizeof(Vec3f)), 0)
         << name(model);
@@ -123,8 +122,8 @@ TEST_F(Trunk, TheSmoothModelHasNoJumpsBetweenNeighbouringVertices) {
     double worst = 0.0;
     for (const geometry::Triangle& t : organ_.rest.triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const double before = static_cast<double>(
-            (organ_.rest.positions[t[k]] - organ_.rest.positions[t[(k + 1) % 3]]).norm());
+        const double before =
+            static_cast<double>((organ_.rest.positions[t[k]] - organ_.rest.positions[t[(k + 1) % 3]]).norm());
         worst = std::max(worst, static_cast<double>((posed[t[k]] - posed[t[(k + 1) % 3]]).norm()) / before);
       }
     }

@@ -56,9 +56,9 @@ RTCRayHit queryOf(const raycast::Ray& ray) {
 BareScene::BareScene(const analysis::PosedScene& posed, bool dynamic) : handles_(std::make_unique<Handles>()) {
   handles_->device = rtcNewDevice(nullptr);
   handles_->scene = rtcNewScene(handles_->device);
-  const unsigned flags = static_cast<unsigned>(RTC_SCENE_FLAG_ROBUST) |
-                         static_cast<unsigned>(dynamic ? RTC_SCENE_FLAG_DYNAMIC
-                                                       : RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  const unsigned flags =
+      static_cast<unsigned>(RTC_SCENE_FLAG_ROBUST) |
+      static_cast<unsigned>(dynamic ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   rtcSetSceneFlags(handles_->scene, static_cast<RTCSceneFlags>(flags));
   rtcSetSceneBuildQuality(handles_->scene, dynamic ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
   for (std::size_t m = 0; m < posed.scene().meshes(); ++m) {
@@ -66,8 +66,8 @@ BareScene::BareScene(const analysis::PosedScene& posed, bool dynamic) : handles_
     const raycast::MeshTopology& topology = posed.scene().topology(mesh);
     RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetGeometryBuildQuality(geometry, dynamic ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_MEDIUM);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, posed.scene().positions(mesh),
-                               0, sizeof(geometry::Vec3f), topology.vertices);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, posed.scene().positions(mesh), 0,
+                               sizeof(geometry::Vec3f), topology.vertices);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, topology.triangles.data(), 0,
                                sizeof(geometry::Triangle), topology.triangles.size());
     rtcCommitGeometry(geometry);

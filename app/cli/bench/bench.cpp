@@ -101,10 +101,18 @@ void measureFrames(Report& report, const analysis::LoadedStudy& study, base::Thr
     const double seconds = clip.duration() * (frame++ % 30) / 30.0;
     posed.move(human::sample(clip, *study.body->body().skeleton, seconds), threads);
   };
-  const auto [ratio, mine, theirs] = interleaved([&] { for (int i = 0; i < 10; ++i) ours(); },
-                                                 [&] { for (int i = 0; i < 10; ++i) bare.refit(); }, progress);
-  report.ratios.push_back({"frame_vs_refit", ratio, 1.6, false,
-                           "skin, organs and armor posed and refitted, per Embree refit alone"});
+  const auto [ratio, mine, theirs] = interleaved(
+      [&] {
+        for (int i = 0; i < 10; ++i)
+          ours();
+      },
+      [&] {
+        for (int i = 0; i < 10; ++i)
+          bare.refit();
+      },
+      progress);
+  report.ratios.push_back(
+      {"frame_vs_refit", ratio, 1.6, false, "skin, organs and armor posed and refitted, per Embree refit alone"});
   report.rates.emplace_back("frame_ours_ms", 100.0 * mine);
   report.rates.emplace_back("frame_bare_refit_ms", 100.0 * theirs);
 }
@@ -122,8 +130,8 @@ void measureImport(Report& report, const analysis::LoadedStudy& study, const bas
       },
       [&] { sink = sink + bareParse(glb); }, progress);
   std::filesystem::remove(glb);
-  report.ratios.push_back({"import_vs_bare_parse", ratio, 10.0, false,
-                           "a GLB hashed, checked, welded and built, per bare tinygltf parse"});
+  report.ratios.push_back(
+      {"import_vs_bare_parse", ratio, 10.0, false, "a GLB hashed, checked, welded and built, per bare tinygltf parse"});
   report.rates.emplace_back("import_ours_ms", 1000.0 * mine);
   report.rates.emplace_back("import_bare_parse_ms", 1000.0 * theirs);
 }
@@ -138,8 +146,8 @@ Report measure(const base::Progress& progress) {
   const analysis::LoadedStudy study = refinedSample(threads);
   progress.report(0.1);
   {
-    const analysis::PosedScene posed(study, {viscera::OrganModel::dynamic}, std::nullopt,
-                                     raycast::SceneUse::manyRays, threads);
+    const analysis::PosedScene posed(study, {viscera::OrganModel::dynamic}, std::nullopt, raycast::SceneUse::manyRays,
+                                     threads);
     report.triangles = posed.triangles();
     measureShots(report, posed, threads, progress.part(0.1, 0.7));
   }

@@ -88,7 +88,8 @@ analysis::LoadedStudy refinedSample(base::Threads threads) {
   for (const armor::PlateSide side : {armor::PlateSide::front, armor::PlateSide::back}) {
     analysis::LoadedPiece piece;
     piece.name = side == armor::PlateSide::front ? "front_plate" : "back_plate";
-    const armor::PlacedPlate placed = armor::placePlate(study.body->body().skin, &plain.skeleton, side, armor::mediumSapi());
+    const armor::PlacedPlate placed =
+        armor::placePlate(study.body->body().skin, &plain.skeleton, side, armor::mediumSapi());
     piece.rig = armor::bindPiece(refine(placed.mesh).mesh, piece.name, armor::Carriage::rigid, *study.body, nullptr,
                                  nullptr, threads);
     piece.topology = raycast::makeTopology(piece.rig.rest);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "lorica/analysis/loaded_study.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"

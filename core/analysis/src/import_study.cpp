@@ -36,11 +36,11 @@ bool holdsAny(const std::string& text, std::span<const std::string_view> words) 
 
 constexpr std::array<std::string_view, 7> essentialWords = {"heart", "aort",  "vena_cava", "arter",
                                                             "vein",  "liver", "spleen"};
-constexpr std::array<std::string_view, 8> desirableWords = {"lung",  "kidney", "trachea", "bronch",
-                                                            "spinal", "intestin", "colon", "bowel"};
+constexpr std::array<std::string_view, 8> desirableWords = {"lung",   "kidney",   "trachea", "bronch",
+                                                            "spinal", "intestin", "colon",   "bowel"};
 constexpr std::array<std::string_view, 5> rigidWords = {"plate", "helmet", "shield", "hard", "esapi"};
-constexpr std::array<std::string_view, 9> nonProtectingWords = {"pouch",  "strap", "buckle", "stand",  "base_",
-                                                                "webbing", "belt", "clip",   "lanyard"};
+constexpr std::array<std::string_view, 9> nonProtectingWords = {"pouch",   "strap", "buckle", "stand",  "base_",
+                                                                "webbing", "belt",  "clip",   "lanyard"};
 
 /// Makes names unique by a number at their end.
 class Names {
@@ -120,8 +120,8 @@ void Importer::addSkin() {
   }
   note(input.path, "", fmt::format("has a skeleton of {} joints", model.skeleton->size()));
   for (const human::Clip& clip : model.clips) {
-    note(input.path, clip.name, fmt::format("motion clip of {:.3f} s; a pose of it is written {}@SECONDS",
-                                            clip.duration(), clip.name));
+    note(input.path, clip.name,
+         fmt::format("motion clip of {:.3f} s; a pose of it is written {}@SECONDS", clip.duration(), clip.name));
   }
 }
 
@@ -182,8 +182,8 @@ study::ArmorPiece Importer::pieceFrom(const fs::path& file) {
 
 void Importer::addArmor(const ArmorRequest& armor) {
   auto& systems = result_.study.systems;
-  auto system = std::find_if(systems.begin(), systems.end(),
-                             [&](const study::ArmorSystem& s) { return s.name == armor.system; });
+  auto system =
+      std::find_if(systems.begin(), systems.end(), [&](const study::ArmorSystem& s) { return s.name == armor.system; });
   if (system == systems.end()) {
     study::ArmorSystem made;
     made.name = armor.system;
@@ -207,8 +207,7 @@ void Importer::addSource(const parenting::BodyRig& body) {
   front.name = "front";
   // Whole millimetres read better, and 5 m are no less 5 m.
   const auto millimetres = [](double x) { return std::round(x * 1000.0) / 1000.0; };
-  front.position = {millimetres(box.center().x()), millimetres(box.center().y()),
-                    millimetres(box.center().z() + 5.0)};
+  front.position = {millimetres(box.center().x()), millimetres(box.center().y()), millimetres(box.center().z() + 5.0)};
   result_.study.sources.push_back(std::move(front));
 }
 
@@ -231,12 +230,12 @@ ImportedStudy Importer::import(base::Threads threads, const base::Progress& prog
   addSource(*loaded.body);
   base::append(result_.issues, loaded.issues);
   for (const LoadedPiece& piece : loaded.pieces) {
-    const parenting::SkinSide side = parenting::sideOfSkin(piece.rig.rest.positions, *loaded.body, threads);
-    if (side.inside > 0) {
+    const parenting::Strays strays = parenting::insideSkin(piece.rig.rest.positions, *loaded.body, threads);
+    if (strays.strayed > 0) {
       result_.issues.push_back({base::Severity::warning, "", piece.name,
                                 fmt::format("reaches into the body at rest: {} of {} vertices are inside, the deepest "
                                             "by {:.1f} mm",
-                                            side.inside, side.points, 1000.0 * side.deepestInside)});
+                                            strays.strayed, strays.points, 1000.0 * strays.farthest)});
     }
   }
   return std::move(result_);

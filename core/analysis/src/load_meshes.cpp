@@ -102,8 +102,8 @@ const manikin::PlainHuman& MeshLibrary::plainHuman() {
 
 void MeshLibrary::checkParts(const study::MeshSource& source, const io::Model& model, const std::string& file) {
   for (const std::string& wanted : source.parts) {
-    const bool there = std::any_of(model.parts.begin(), model.parts.end(),
-                                   [&](const io::Part& part) { return part.name == wanted; });
+    const bool there =
+        std::any_of(model.parts.begin(), model.parts.end(), [&](const io::Part& part) { return part.name == wanted; });
     if (!there) {
       throw base::InputError(file, "", fmt::format("has no part named \"{}\", which the study asks for", wanted));
     }

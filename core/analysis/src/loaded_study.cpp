@@ -34,8 +34,8 @@ parenting::Body loadBody(Loading& loading) {
   parenting::Body body;
   if (const auto* builtin = std::get_if<Builtin>(&source.from)) {
     if (builtin->name != "plain") {
-      loading.fail("/human/builtin", fmt::format("there is no built-in human named \"{}\"; there is \"plain\"",
-                                                 builtin->name));
+      loading.fail("/human/builtin",
+                   fmt::format("there is no built-in human named \"{}\"; there is \"plain\"", builtin->name));
     }
     const manikin::PlainHuman& plain = loading.library.plainHuman();
     body.skin = plain.skin;
@@ -52,9 +52,9 @@ parenting::Body loadBody(Loading& loading) {
       throw base::InputError(input.path, "", "none of the parts that make the body is skinned to its skeleton");
     }
     if (merged.unskinnedParts > 0) {
-      loading.result.issues.push_back({base::Severity::warning, input.path, "",
-                                       fmt::format("{} part(s) without skin weights are not part of the body",
-                                                   merged.unskinnedParts)});
+      loading.result.issues.push_back(
+          {base::Severity::warning, input.path, "",
+           fmt::format("{} part(s) without skin weights are not part of the body", merged.unskinnedParts)});
     }
     body.skin = std::move(merged.mesh);
     body.weights = std::move(merged.weights);
@@ -73,20 +73,20 @@ parenting::Body loadBody(Loading& loading) {
 geometry::TriangleMesh loadOrganMesh(Loading& loading, const study::Organ& organ, const std::string& place) {
   if (const auto* builtin = std::get_if<Builtin>(&organ.mesh.from)) {
     const manikin::PlainHuman& plain = loading.library.plainHuman();
-    const auto found = std::find_if(plain.organs.begin(), plain.organs.end(), [&](const manikin::PlainOrgan& o) {
-      return "plain/" + o.name == builtin->name;
-    });
+    const auto found = std::find_if(plain.organs.begin(), plain.organs.end(),
+                                    [&](const manikin::PlainOrgan& o) { return "plain/" + o.name == builtin->name; });
     if (found == plain.organs.end()) {
-      loading.fail(place + "/builtin",
-                   fmt::format("there is no built-in organ named \"{}\"; they are named plain/{}", builtin->name,
-                               fmt::join(manikin::builtinOrganNames(), ", plain/")));
+      loading.fail(place + "/builtin", fmt::format("there is no built-in organ named \"{}\"; they are named plain/{}",
+                                                   builtin->name, fmt::join(manikin::builtinOrganNames(), ", plain/")));
     }
     return found->mesh;
   }
   const InputFile& input = std::get<InputFile>(organ.mesh.from);
   const io::Model& model = loading.library.file(input);
   MeshLibrary::checkParts(organ.mesh, model, input.path);
-  return mergeParts(model, [&](const std::string& part) { return selects(organ.mesh, part); }, false).mesh;
+  return mergeParts(
+             model, [&](const std::string& part) { return selects(organ.mesh, part); }, false)
+      .mesh;
 }
 
 /// Says when an organ reaches out of the skin at rest, and by how much.
@@ -97,12 +97,12 @@ void checkInside(Loading& loading, const LoadedOrgan& organ) {
   if (!skinCloses) {
     return;
   }
-  const parenting::SkinSide side = parenting::sideOfSkin(organ.rig.rest.positions, body, loading.threads);
-  if (side.outside > 0) {
+  const parenting::Strays strays = parenting::outsideSkin(organ.rig.rest.positions, body, loading.threads);
+  if (strays.strayed > 0) {
     loading.result.issues.push_back(
         {base::Severity::warning, "", organ.name,
          fmt::format("is not inside the skin at rest: {} of {} vertices are outside, the farthest by {:.1f} mm",
-                     side.outside, side.points, 1000.0 * side.farthestOutside)});
+                     strays.strayed, strays.points, 1000.0 * strays.farthest)});
   }
 }
 
@@ -143,10 +143,9 @@ geometry::TriangleMesh loadPlate(Loading& loading, const study::ArmorPiece& piec
                                                  builtin.name));
   }
   const parenting::Body& body = loading.result.body->body();
-  armor::PlacedPlate placed =
-      armor::placePlate(body.skin, body.skeleton ? &*body.skeleton : nullptr,
-                        builtin.name == "front_plate" ? armor::PlateSide::front : armor::PlateSide::back,
-                        armor::mediumSapi());
+  armor::PlacedPlate placed = armor::placePlate(
+      body.skin, body.skeleton ? &*body.skeleton : nullptr,
+      builtin.name == "front_plate" ? armor::PlateSide::front : armor::PlateSide::back, armor::mediumSapi());
   for (base::Issue& issue : placed.issues) {
     issue.place = issue.place.empty() ? piece.name : issue.place;
   }
@@ -230,8 +229,8 @@ human::Pose clipPose(const LoadedStudy& study, const study::ClipPose& wanted, co
   }
   if (!(wanted.seconds >= 0.0 && wanted.seconds <= clip->duration())) {
     throw base::InputError(study.file.string(), "",
-                           fmt::format("pose \"{}\": {} s lies beyond the clip, which lasts {} s", pose,
-                                       wanted.seconds, clip->duration()));
+                           fmt::format("pose \"{}\": {} s lies beyond the clip, which lasts {} s", pose, wanted.seconds,
+                                       clip->duration()));
   }
   return human::sample(*clip, skeleton, wanted.seconds);
 }
@@ -268,10 +267,8 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
   const auto& models = result.study.models;
   parenting::RigOptions options;
   options.siteSpacing = result.study.siteSpacing;
-  options.thesisSites =
-      std::find(models.begin(), models.end(), viscera::OrganModel::dynamicThesis) != models.end();
-  result.body = std::make_unique<const parenting::BodyRig>(std::move(body), options, threads,
-                                                           progress.part(0.25, 0.5));
+  options.thesisSites = std::find(models.begin(), models.end(), viscera::OrganModel::dynamicThesis) != models.end();
+  result.body = std::make_unique<const parenting::BodyRig>(std::move(body), options, threads, progress.part(0.25, 0.5));
   base::append(result.issues, result.body->issues());
   loadOrgans(loading, progress.part(0.5, 0.85));
   loadArmor(loading, progress.part(0.85, 1.0));

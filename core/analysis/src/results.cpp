@@ -96,7 +96,9 @@ void forEachBlock(const RunResult& result, const Emit& emit) {
   }
 }
 
-std::string number(std::optional<double> value) { return value ? fmt::format("{:.6f}", *value) : std::string(); }
+std::string number(std::optional<double> value) {
+  return value ? fmt::format("{:.6f}", *value) : std::string();
+}
 
 std::string csv(const std::vector<ResultRow>& rows, bool withTrial) {
   std::string text = withTrial ? "source,system,model,pose,trial,structure" : "source,system,model,pose,structure";
@@ -109,12 +111,12 @@ std::string csv(const std::vector<ResultRow>& rows, bool withTrial) {
       fields.push_back(std::to_string(row.trial.value_or(0)));
     }
     const std::optional<stats::Interval> interval = row.coverageInterval();
-    for (std::string& field : std::array{
-             row.structure, row.kind, row.injuryClass, std::to_string(row.shots), std::to_string(row.count.any),
-             std::to_string(row.count.first), std::to_string(row.unprotected()), std::to_string(row.count.shielded),
-             number(row.percentOfShots()), number(row.percentOfBodyHits()), number(row.coverage()),
-             number(interval ? std::optional(interval->low) : std::nullopt),
-             number(interval ? std::optional(interval->high) : std::nullopt)}) {
+    for (std::string& field :
+         std::array{row.structure, row.kind, row.injuryClass, std::to_string(row.shots), std::to_string(row.count.any),
+                    std::to_string(row.count.first), std::to_string(row.unprotected()),
+                    std::to_string(row.count.shielded), number(row.percentOfShots()), number(row.percentOfBodyHits()),
+                    number(row.coverage()), number(interval ? std::optional(interval->low) : std::nullopt),
+                    number(interval ? std::optional(interval->high) : std::nullopt)}) {
       fields.push_back(std::move(field));
     }
     text += io::csvRow(fields);
@@ -126,8 +128,7 @@ std::string csv(const std::vector<ResultRow>& rows, bool withTrial) {
 
 std::vector<ResultRow> summaryRows(const LoadedStudy& study, const RunResult& result) {
   std::vector<ResultRow> rows;
-  forEachBlock(result, [&](const ResultRow& head, const SourcePoseResult& here, std::size_t system,
-                           std::size_t model) {
+  forEachBlock(result, [&](const ResultRow& head, const SourcePoseResult& here, std::size_t system, std::size_t model) {
     Tally sum;
     for (const Tally& trial : here.trials) {
       sum.add(trial);
@@ -148,8 +149,12 @@ std::vector<ResultRow> trialRows(const LoadedStudy& study, const RunResult& resu
   return rows;
 }
 
-std::string summaryCsv(const std::vector<ResultRow>& rows) { return csv(rows, false); }
-std::string trialsCsv(const std::vector<ResultRow>& rows) { return csv(rows, true); }
+std::string summaryCsv(const std::vector<ResultRow>& rows) {
+  return csv(rows, false);
+}
+std::string trialsCsv(const std::vector<ResultRow>& rows) {
+  return csv(rows, true);
+}
 
 std::string provenanceJson(const LoadedStudy& study, const RunResult& result) {
   study::Provenance provenance;

@@ -53,8 +53,7 @@ struct Plan {
   std::vector<geometry::Positions> skins;  // posed, one per pose
 };
 
-Plan planPoses(const LoadedStudy& study, const RunOptions& options, RunResult& result,
-               const base::Progress& progress) {
+Plan planPoses(const LoadedStudy& study, const RunOptions& options, RunResult& result, const base::Progress& progress) {
   Plan plan;
   for (const std::string& name : options.poses.empty() ? defaultPoses(study.study) : options.poses) {
     if (std::find(result.poses.begin(), result.poses.end(), name) != result.poses.end()) {

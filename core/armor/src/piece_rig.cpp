@@ -105,16 +105,15 @@ PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriag
   return piece;
 }
 
-std::vector<human::SkinningDelta> pieceDeltas(const parenting::BodyRig& body,
-                                              const std::optional<human::Pose>& pose) {
+std::vector<human::SkinningDelta> pieceDeltas(const parenting::BodyRig& body, const std::optional<human::Pose>& pose) {
   if (!body.body().skeleton) {
     return {};
   }
   return human::skinningDeltas(*body.body().skeleton, pose ? *pose : human::restPose(*body.body().skeleton));
 }
 
-void posePiece(const PieceRig& piece, const parenting::PosedBody& pose,
-               std::span<const human::SkinningDelta> deltas, std::span<Vec3f> posed, base::Threads threads) {
+void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, std::span<const human::SkinningDelta> deltas,
+               std::span<Vec3f> posed, base::Threads threads) {
   LORICA_CHECK(posed.size() == piece.rest.positions.size(), "one place per vertex");
   if (piece.carriage == Carriage::skinned && piece.weights) {
     human::skin(piece.rest.positions, *piece.weights, deltas, posed, threads);

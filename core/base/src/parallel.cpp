@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -59,6 +60,15 @@ void spread(std::size_t count, std::size_t grain, int threads,
 
 namespace {
 
+/// An arena keeps the promised number of threads, also on a machine with fewer cores. Making one takes longer than
+/// many a loop, so they are kept.
+tbb::task_arena& arenaOf(int threads) {
+  static std::mutex mutex;
+  static std::map<int, tbb::task_arena> arenas;
+  const std::lock_guard lock(mutex);
+  return arenas.try_emplace(threads, threads).first->second;
+}
+
 void spread(std::size_t count, std::size_t grain, int threads,
             const std::function<void(std::size_t, std::size_t)>& body) {
   const auto loop = [&] {
@@ -71,9 +81,7 @@ void spread(std::size_t count, std::size_t grain, int threads,
         },
         tbb::simple_partitioner());
   };
-  // An arena of its own keeps the promised number of threads, also on a machine with fewer cores.
-  tbb::task_arena arena(threads);
-  arena.execute(loop);
+  arenaOf(threads).execute(loop);
 }
 
 }  // namespace

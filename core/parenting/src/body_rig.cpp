@@ -14,8 +14,7 @@ BodyRig::BodyRig(Body body, const RigOptions& options, base::Threads threads, co
   skinMesh_ = restScene_->add(body_->skin.positions, topology_);
   restScene_->build();
   const auto place = [&](const ParentingOptions& parenting, const char* what, const base::Progress& share) {
-    InteriorSites placed =
-        placeInteriorSites(*restScene_, skinMesh_, options.siteSpacing, parenting, threads, share);
+    InteriorSites placed = placeInteriorSites(*restScene_, skinMesh_, options.siteSpacing, parenting, threads, share);
     if (placed.unbound > 0) {
       issues_.push_back({base::Severity::note, "", "body",
                          fmt::format("{} of {} interior sites ({}) could not be tied to the skin and are left out",

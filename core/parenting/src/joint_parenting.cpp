@@ -13,8 +13,7 @@ human::JointIndex nearestJoint(const human::Skeleton& skeleton, const Vec3d& poi
   human::JointIndex nearest{0};
   for (std::size_t j = 1; j < skeleton.size(); ++j) {
     const human::JointIndex joint{j};
-    if ((skeleton.restPosition(joint) - point).squaredNorm() <
-        (skeleton.restPosition(nearest) - point).squaredNorm()) {
+    if ((skeleton.restPosition(joint) - point).squaredNorm() < (skeleton.restPosition(nearest) - point).squaredNorm()) {
       nearest = joint;
     }
   }

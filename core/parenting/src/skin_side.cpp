@@ -4,30 +4,39 @@
 
 namespace lorica::parenting {
 
-SkinSide sideOfSkin(std::span<const geometry::Vec3f> points, const BodyRig& body, base::Threads threads) {
-  std::vector<double> depth(points.size(), 0.0);  // positive inside
-  std::vector<char> inside(points.size(), 0);
+namespace {
+
+Strays strays(std::span<const geometry::Vec3f> points, const BodyRig& body, bool shouldBeInside,
+              base::Threads threads) {
+  std::vector<double> distance(points.size(), -1.0);
   base::parallelFor(points.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
     raycast::Caster caster(body.restScene());
     for (std::size_t i = begin; i < end; ++i) {
       const geometry::Vec3d point = points[i].cast<double>();
-      inside[i] = raycast::windingNumber(caster, body.skinMesh(), point) >= 1 ? 1 : 0;
-      const auto nearest = raycast::closestPoint(body.restScene(), point);
-      depth[i] = nearest ? nearest->distance : 0.0;
+      const bool inside = raycast::windingNumber(caster, body.skinMesh(), point) >= 1;
+      if (inside != shouldBeInside) {
+        const auto nearest = raycast::closestPoint(body.restScene(), point);
+        distance[i] = nearest ? nearest->distance : 0.0;
+      }
     }
   });
-  SkinSide side;
-  side.points = points.size();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (inside[i] != 0) {
-      ++side.inside;
-      side.deepestInside = std::max(side.deepestInside, depth[i]);
-    } else {
-      ++side.outside;
-      side.farthestOutside = std::max(side.farthestOutside, depth[i]);
-    }
+  Strays result;
+  result.points = points.size();
+  for (const double d : distance) {
+    result.strayed += d >= 0.0 ? 1 : 0;
+    result.farthest = std::max(result.farthest, d);
   }
-  return side;
+  return result;
+}
+
+}  // namespace
+
+Strays outsideSkin(std::span<const geometry::Vec3f> points, const BodyRig& body, base::Threads threads) {
+  return strays(points, body, true, threads);
+}
+
+Strays insideSkin(std::span<const geometry::Vec3f> points, const BodyRig& body, base::Threads threads) {
+  return strays(points, body, false, threads);
 }
 
 }  // namespace lorica::parenting

@@ -149,8 +149,8 @@ Caster::Caster(const Scene& scene) : scene_(&scene), sums_(scene.meshes()) {
   for (std::size_t m = 0; m < sums_.size(); ++m) {
     const MeshTopology& topology = scene.topology(MeshIndex{m});
     sums_[m].assign(topology.closed.size(), 0);
-    meshes_.push_back({scene.positions(MeshIndex{m}), topology.triangles.data(), topology.componentOf.data(),
-                       &topology});
+    meshes_.push_back(
+        {scene.positions(MeshIndex{m}), topology.triangles.data(), topology.componentOf.data(), &topology});
   }
 }
 
@@ -340,7 +340,8 @@ void Caster::findUnbalanced(const Ray& ray, std::vector<std::uint32_t>& meshes) 
   }
   for (const Hit& hit : hits_) {
     int& sum = sums_[hit.mesh][hit.component];
-    if (sum != 0 && meshes_[hit.mesh].topology->closed[hit.component] && sum != -originWinding(ray, hit.mesh, hit.component)) {
+    if (sum != 0 && meshes_[hit.mesh].topology->closed[hit.component] &&
+        sum != -originWinding(ray, hit.mesh, hit.component)) {
       meshes.push_back(hit.mesh);
     }
     sum = 0;

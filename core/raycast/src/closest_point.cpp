@@ -67,9 +67,9 @@ bool visit(RTCPointQueryFunctionArguments* arguments) {
   const double distance = (point - search.query).norm();
   const SurfacePoint found{MeshIndex{arguments->geomID}, arguments->primID, weights, point, distance};
   const auto& best = search.best;
-  const bool wins = !best || distance < best->distance ||
-                    (distance == best->distance &&
-                     std::pair(found.mesh, found.triangle) < std::pair(best->mesh, best->triangle));
+  const bool wins =
+      !best || distance < best->distance ||
+      (distance == best->distance && std::pair(found.mesh, found.triangle) < std::pair(best->mesh, best->triangle));
   if (!wins) {
     return false;
   }

@@ -65,8 +65,8 @@ Scene::~Scene() = default;
 MeshIndex Scene::add(const geometry::Positions& positions, std::shared_ptr<const MeshTopology> topology) {
   LORICA_CHECK(topology != nullptr && positions.size() == topology->vertices, "positions fit the topology");
   RTCGeometry geometry = rtcNewGeometry(impl_->device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetGeometryBuildQuality(geometry, impl_->use == SceneUse::manyFrames ? RTC_BUILD_QUALITY_REFIT
-                                                                          : RTC_BUILD_QUALITY_MEDIUM);
+  rtcSetGeometryBuildQuality(geometry,
+                             impl_->use == SceneUse::manyFrames ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_MEDIUM);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
                              sizeof(geometry::Vec3f), positions.size());
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, topology->triangles.data(), 0,
@@ -94,8 +94,14 @@ void Scene::refit() {
   build();
 }
 
-std::size_t Scene::meshes() const { return impl_->meshes.size(); }
-const MeshTopology& Scene::topology(MeshIndex mesh) const { return *impl_->meshes.at(mesh.value).topology; }
-const geometry::Vec3f* Scene::positions(MeshIndex mesh) const { return impl_->meshes.at(mesh.value).positions; }
+std::size_t Scene::meshes() const {
+  return impl_->meshes.size();
+}
+const MeshTopology& Scene::topology(MeshIndex mesh) const {
+  return *impl_->meshes.at(mesh.value).topology;
+}
+const geometry::Vec3f* Scene::positions(MeshIndex mesh) const {
+  return impl_->meshes.at(mesh.value).positions;
+}
 
 }  // namespace lorica::raycast

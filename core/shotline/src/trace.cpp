@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <mutex>
 #include <numeric>
-#include <limits>
 
 #include "lorica/base/error.h"
 
@@ -121,11 +121,12 @@ void ShotCounter::countOrgan(std::uint32_t slot, std::uint32_t order) {
 
 namespace {
 
-/// Spreads the low 7 bits to every third place.
+/// Spreads the low 10 bits to every second place.
 std::uint32_t spread(std::uint32_t v) {
-  v = (v | (v << 8U)) & 0x0300F00FU;
-  v = (v | (v << 4U)) & 0x030C30C3U;
-  return (v | (v << 2U)) & 0x09249249U;
+  v = (v | (v << 8U)) & 0x00FF00FFU;
+  v = (v | (v << 4U)) & 0x0F0F0F0FU;
+  v = (v | (v << 2U)) & 0x33333333U;
+  return (v | (v << 1U)) & 0x55555555U;
 }
 
 /// Buffers of one block of shots.
@@ -153,8 +154,8 @@ void radixPass(const std::vector<std::uint32_t>& keys, const std::vector<std::ui
   }
 }
 
-/// Puts rays in an order in which neighbours run through the same part of the scene: Morton order of the directions
-/// within the box they span. Which order shots are traced in changes no count.
+/// Puts rays in an order in which neighbours run through the same part of the scene: by what of the narrowest axis
+/// they fall into, then in Morton order along the other two. Which order shots are traced in changes no count.
 void sortForCoherence(Block& block) {
   Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
   Vec3f high = -low;
@@ -162,7 +163,14 @@ void sortForCoherence(Block& block) {
     low = low.cwiseMin(ray.direction);
     high = high.cwiseMax(ray.direction);
   }
-  const Vec3f scale = (high - low).cwiseMax(1e-30F).cwiseInverse() * 127.0F;
+  Eigen::Index narrow = 0;
+  const Vec3f span = (high - low).cwiseMax(1e-30F);
+  span.minCoeff(&narrow);
+  const Eigen::Index u = (narrow + 1) % 3;
+  const Eigen::Index v = (narrow + 2) % 3;
+  Vec3f steps = Vec3f::Constant(1023.0F);
+  steps[narrow] = 3.0F;
+  const Vec3f scale = steps.cwiseQuotient(span);
   const std::size_t count = block.rays.size();
   block.keys.resize(count);
   block.order.resize(count);
@@ -171,8 +179,8 @@ void sortForCoherence(Block& block) {
   std::iota(block.scratch.begin(), block.scratch.end(), 0U);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3f cell = (block.rays[i].direction - low).cwiseProduct(scale);
-    block.keys[i] = spread(static_cast<std::uint32_t>(cell.x())) | (spread(static_cast<std::uint32_t>(cell.y())) << 1U) |
-                    (spread(static_cast<std::uint32_t>(cell.z())) << 2U);
+    block.keys[i] = spread(static_cast<std::uint32_t>(cell[u])) | (spread(static_cast<std::uint32_t>(cell[v])) << 1U) |
+                    (static_cast<std::uint32_t>(cell[narrow]) << 20U);
   }
   radixPass(block.keys, block.scratch, block.order, 0);
   radixPass(block.keys, block.order, block.scratch, 11);
@@ -188,7 +196,7 @@ TraceResult trace(const raycast::Scene& scene, const TargetLayout& layout, const
   LORICA_CHECK(scene.meshes() == layout.meshes(), "the scene's meshes stand as the layout says");
   // Large blocks run more coherent rays, small ones keep all threads busy to the end.
   const auto crew = static_cast<std::uint64_t>(threads.count > 0 ? threads.count : base::machineThreads());
-  const std::uint64_t block = std::clamp<std::uint64_t>(count / (8 * crew), 1024, 16384);
+  const std::uint64_t block = std::clamp<std::uint64_t>(count / (8 * crew), 1024, 65536);
   const std::uint64_t blocks = (count + block - 1) / block;
   TraceResult result{Tally(layout), {}};
   std::mutex merging;

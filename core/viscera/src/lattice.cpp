@@ -40,9 +40,7 @@ std::array<int, 3> cellCounts(const Vec3d& size, const LatticeOptions& options) 
 struct Grid {
   std::array<std::size_t, 3> points;
 
-  std::size_t index(std::size_t i, std::size_t j, std::size_t k) const {
-    return i + points[0] * (j + points[1] * k);
-  }
+  std::size_t index(std::size_t i, std::size_t j, std::size_t k) const { return i + points[0] * (j + points[1] * k); }
 };
 
 constexpr std::array<std::array<std::size_t, 3>, 8> cornerSteps = {
@@ -65,10 +63,10 @@ Lattice makeLattice(std::span<const Vec3f> positions, const LatticeOptions& opti
                                          static_cast<std::size_t>(lattice.cells[1]),
                                          static_cast<std::size_t>(lattice.cells[2])};
   const Grid grid{{cells[0] + 1, cells[1] + 1, cells[2] + 1}};
-  LORICA_CHECK(static_cast<double>(grid.points[0]) * static_cast<double>(grid.points[1]) *
-                       static_cast<double>(grid.points[2]) <=
-                   5e7,
-               "at most 5e7 control points");
+  LORICA_CHECK(
+      static_cast<double>(grid.points[0]) * static_cast<double>(grid.points[1]) * static_cast<double>(grid.points[2]) <=
+          5e7,
+      "at most 5e7 control points");
 
   std::vector<std::uint32_t> cellNumber(cells[0] * cells[1] * cells[2], UINT32_MAX);
   std::vector<std::array<std::size_t, 3>> usedCells;
@@ -107,8 +105,8 @@ Lattice makeLattice(std::span<const Vec3f> positions, const LatticeOptions& opti
         if (keep[index] != 0) {
           pointNumber[index] = static_cast<std::uint32_t>(lattice.controlPoints.size());
           lattice.controlPoints.emplace_back(
-              lattice.origin + lattice.cell.cwiseProduct(Vec3d(static_cast<double>(i), static_cast<double>(j),
-                                                               static_cast<double>(k))));
+              lattice.origin +
+              lattice.cell.cwiseProduct(Vec3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k))));
         }
       }
     }
@@ -118,15 +116,15 @@ Lattice makeLattice(std::span<const Vec3f> positions, const LatticeOptions& opti
   for (const auto& at : usedCells) {
     std::array<std::uint32_t, 8>& corners = lattice.cellCorners.emplace_back();
     for (std::size_t c = 0; c < 8; ++c) {
-      corners[c] = pointNumber[grid.index(at[0] + cornerSteps[c][0], at[1] + cornerSteps[c][1],
-                                          at[2] + cornerSteps[c][2])];
+      corners[c] =
+          pointNumber[grid.index(at[0] + cornerSteps[c][0], at[1] + cornerSteps[c][1], at[2] + cornerSteps[c][2])];
     }
   }
   return lattice;
 }
 
-void deform(std::span<const Vec3f> rest, const Lattice& lattice, std::span<const Vec3f> offsets,
-            std::span<Vec3f> posed, base::Threads threads) {
+void deform(std::span<const Vec3f> rest, const Lattice& lattice, std::span<const Vec3f> offsets, std::span<Vec3f> posed,
+            base::Threads threads) {
   LORICA_CHECK(rest.size() == lattice.cellOf.size() && posed.size() == rest.size(), "the lattice's own vertices");
   LORICA_CHECK(offsets.size() == lattice.controlPoints.size(), "one offset per control point");
   base::parallelFor(rest.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {

@@ -77,8 +77,7 @@ OrganRig bindOrgan(geometry::TriangleMesh rest, const std::string& name, const p
   }
   organ.drivers = bindToSites(organ.lattice.controlPoints, body.sites(), SiteBinding::smooth, threads);
   if (!body.thesisSites().empty()) {
-    organ.thesisDrivers =
-        bindToSites(organ.lattice.controlPoints, body.thesisSites(), SiteBinding::nearest, threads);
+    organ.thesisDrivers = bindToSites(organ.lattice.controlPoints, body.thesisSites(), SiteBinding::nearest, threads);
   }
   return organ;
 }
@@ -87,7 +86,7 @@ void poseOrgan(const OrganRig& organ, OrganModel model, const parenting::BodyRig
                const parenting::PosedBody& pose, std::span<Vec3f> posed, base::Threads threads) {
   LORICA_CHECK(posed.size() == organ.rest.positions.size(), "one place per vertex");
   const auto lattice = [&](const std::vector<SiteBlend>& drivers, const parenting::SiteMotion& motion) {
-    const std::vector<Vec3f> moved = offsets(organ.lattice.controlPoints, drivers, motion.carry);
+    const std::vector<Vec3f> moved = offsets(organ.lattice.controlPoints, drivers, motion.carry, threads);
     deform(organ.rest.positions, organ.lattice, moved, posed, threads);
   };
   if (model == OrganModel::dynamic && !organ.drivers.empty()) {

@@ -56,10 +56,10 @@ std::vector<SiteBlend> bindToSites(std::span<const Vec3d> points, const std::vec
 }
 
 std::vector<Vec3f> offsets(std::span<const Vec3d> points, std::span<const SiteBlend> blends,
-                           std::span<const geometry::RigidTransform> siteCarry) {
+                           std::span<const geometry::RigidTransform> siteCarry, base::Threads threads) {
   LORICA_CHECK(points.size() == blends.size(), "one blend per point");
   std::vector<Vec3f> result(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p) {
+  const auto offsetOf = [&](std::size_t p) -> Vec3f {
     Vec3d offset = Vec3d::Zero();
     for (std::size_t k = 0; k < blends[p].count; ++k) {
       const geometry::RigidTransform& carry = siteCarry[blends[p].site[k]];
@@ -67,8 +67,13 @@ std::vector<Vec3f> offsets(std::span<const Vec3d> points, std::span<const SiteBl
         offset += static_cast<double>(blends[p].weight[k]) * (carry * points[p] - points[p]);
       }
     }
-    result[p] = offset.cast<float>();
-  }
+    return offset.cast<float>();
+  };
+  base::parallelFor(points.size(), 512, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      result[p] = offsetOf(p);
+    }
+  });
   return result;
 }
 

@@ -38,8 +38,8 @@ struct RunResult {
   std::vector<viscera::OrganModel> models;
   std::vector<std::string> systems;  ///< "unarmored" first
   std::uint64_t seed = 0;
-  std::uint32_t trials = 0;  ///< asked for
-  std::vector<SourcePoseResult> results;  ///< source by source, pose by pose
+  std::uint32_t trials = 0;                 ///< asked for
+  std::vector<SourcePoseResult> results;    ///< source by source, pose by pose
   std::vector<std::size_t> collapsedSites;  ///< per pose, interior sites whose anchors collapsed
   base::Issues issues;
   bool partial = false;  ///< cancelled: `results` holds what was finished

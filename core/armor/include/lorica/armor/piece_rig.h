@@ -20,9 +20,9 @@ enum class Carriage {
 struct PieceRig {
   geometry::TriangleMesh rest;  ///< protecting parts only
   Carriage carriage = Carriage::rigid;
-  std::size_t site = 0;                        ///< index into BodyRig::sites(), for rigid pieces
-  bool hasSite = false;                        ///< false when the body has no site: the piece stays
-  std::optional<human::SkinWeights> weights;   ///< for skinned pieces
+  std::size_t site = 0;                       ///< index into BodyRig::sites(), for rigid pieces
+  bool hasSite = false;                       ///< false when the body has no site: the piece stays
+  std::optional<human::SkinWeights> weights;  ///< for skinned pieces
   base::Issues issues;
 };
 
@@ -39,7 +39,7 @@ std::vector<human::SkinningDelta> pieceDeltas(const parenting::BodyRig& body, co
 
 /// The piece's vertices in a pose; at rest every vertex keeps its bits.
 /// \param deltas of pieceDeltas() for the same pose
-void posePiece(const PieceRig& piece, const parenting::PosedBody& pose,
-               std::span<const human::SkinningDelta> deltas, std::span<geometry::Vec3f> posed, base::Threads threads);
+void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, std::span<const human::SkinningDelta> deltas,
+               std::span<geometry::Vec3f> posed, base::Threads threads);
 
 }  // namespace lorica::armor

@@ -28,7 +28,7 @@ InteriorSites placeInteriorSites(const raycast::Scene& scene, raycast::MeshIndex
 /// How every site moves from rest to a pose.
 struct SiteMotion {
   std::vector<geometry::RigidTransform> carry;  ///< one per site
-  std::vector<std::uint32_t> collapsed;         ///< sites whose anchors became collinear: they move as the nearest sound one
+  std::vector<std::uint32_t> collapsed;  ///< sites whose anchors became collinear: they move as the nearest sound one
 };
 
 SiteMotion carrySites(const std::vector<SkinSite>& sites, std::span<const geometry::Triangle> triangles,

@@ -6,17 +6,18 @@
 
 namespace lorica::parenting {
 
-/// How points lie against the rest skin.
-struct SkinSide {
-  std::size_t points = 0;
-  std::size_t inside = 0;
-  std::size_t outside = 0;
-  double deepestInside = 0.0;    ///< metres from the skin of the deepest point inside
-  double farthestOutside = 0.0;  ///< metres from the skin of the farthest point outside
+/// Points on the wrong side of the rest skin.
+struct Strays {
+  std::size_t points = 0;   ///< how many were looked at
+  std::size_t strayed = 0;  ///< how many are on the wrong side
+  double farthest = 0.0;    ///< metres from the skin of the farthest of those
 };
 
-/// Inside is told by signed winding. Meaningless for a skin that does not close.
-/// Cost: one ray and one nearest-point query per point.
-SkinSide sideOfSkin(std::span<const geometry::Vec3f> points, const BodyRig& body, base::Threads threads);
+/// Points that should be inside and are not: an organ's. Inside is told by signed winding; meaningless for a skin that
+/// does not close. Cost: one ray per point, one nearest-point query per stray.
+Strays outsideSkin(std::span<const geometry::Vec3f> points, const BodyRig& body, base::Threads threads);
+
+/// Points that should be outside and are not: an armor piece's.
+Strays insideSkin(std::span<const geometry::Vec3f> points, const BodyRig& body, base::Threads threads);
 
 }  // namespace lorica::parenting

@@ -27,7 +27,7 @@ struct Hit {
   std::uint32_t mesh = 0;       ///< MeshIndex value
   std::uint32_t component = 0;  ///< connected component of the mesh
   std::uint32_t triangle = 0;
-  bool entering = false;        ///< the ray runs against the triangle's normal
+  bool entering = false;  ///< the ray runs against the triangle's normal
 
   int sign() const { return entering ? 1 : -1; }
 };
@@ -77,9 +77,7 @@ class Caster {
   }
   const CastCounts& counts() const { return counts_; }
   /// Whether the component of a hit is closed, so that its crossings pair up.
-  bool isClosed(const Hit& hit) const {
-    return scene_->topology(MeshIndex{hit.mesh}).closed[hit.component];
-  }
+  bool isClosed(const Hit& hit) const { return scene_->topology(MeshIndex{hit.mesh}).closed[hit.component]; }
 
  private:
   struct Candidate {

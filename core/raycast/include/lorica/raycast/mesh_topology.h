@@ -11,12 +11,12 @@ namespace lorica::raycast {
 /// models of one structure share it.
 struct MeshTopology {
   std::vector<geometry::Triangle> triangles;
-  std::vector<std::uint32_t> componentOf;   ///< per triangle
-  std::vector<bool> closed;                 ///< per component
-  std::vector<bool> openEdge;               ///< per triangle side, 3 * t + k
+  std::vector<std::uint32_t> componentOf;  ///< per triangle
+  std::vector<bool> closed;                ///< per component
+  std::vector<bool> openEdge;              ///< per triangle side, 3 * t + k
   bool hasOpenEdges = false;
-  std::vector<std::uint32_t> ringStart;     ///< per vertex, its first place in `ring`; one more at the end
-  std::vector<std::uint32_t> ring;          ///< triangles around each vertex, rising
+  std::vector<std::uint32_t> ringStart;  ///< per vertex, its first place in `ring`; one more at the end
+  std::vector<std::uint32_t> ring;       ///< triangles around each vertex, rising
   std::size_t vertices = 0;
 };
 

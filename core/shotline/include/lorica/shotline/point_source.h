@@ -49,7 +49,7 @@ class ShotGenerator {
   stats::ShotKey key_;
   geometry::Vec3f origin_;
   double widestDrop_ = 0.0;  ///< 1 - cos of the half-angle
-  geometry::Mat3d axes_;  ///< columns: two across the cone's axis, then the axis
+  geometry::Mat3d axes_;     ///< columns: two across the cone's axis, then the axis
 };
 
 }  // namespace lorica::shotline

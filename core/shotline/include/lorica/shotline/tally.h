@@ -31,8 +31,8 @@ struct TargetLayout {
 struct Count {
   std::uint64_t any = 0;
   std::uint64_t first = 0;
-  std::uint64_t shielded = 0;   ///< protected
-  std::uint64_t withBody = 0;   ///< any, of the shots that also hit the body
+  std::uint64_t shielded = 0;  ///< protected
+  std::uint64_t withBody = 0;  ///< any, of the shots that also hit the body
   bool operator==(const Count&) const = default;
 };
 

@@ -35,7 +35,7 @@ class ShotCounter {
 
   const TargetLayout* layout_;
   Tally tally_;
-  std::vector<char> seen_;          ///< per target, within one shot
+  std::vector<char> seen_;  ///< per target, within one shot
   std::vector<Touched> touched_;
   std::vector<std::uint32_t> armorOrder_;       ///< per system, order of its first crossing
   std::vector<std::uint32_t> firstOrganOrder_;  ///< per model

@@ -18,9 +18,9 @@ struct Provenance {
     geometry::Vec3d position;
     geometry::Vec3d target;
     std::string sampler;
-    std::uint64_t shots = 0;     ///< per trial
-    double halfAngle = 0.0;      ///< radians
-    double solidAngle = 0.0;     ///< steradians
+    std::uint64_t shots = 0;  ///< per trial
+    double halfAngle = 0.0;   ///< radians
+    double solidAngle = 0.0;  ///< steradians
   };
   struct RunRecord {
     std::string source;

@@ -51,8 +51,8 @@ using viscera::OrganModel;
 struct Organ {
   std::string name;
   MeshSource mesh;
-  std::string injuryClass;            ///< "essential", "desirable" or empty
-  std::optional<std::string> joint;   ///< carries static_joint; default the nearest
+  std::string injuryClass;           ///< "essential", "desirable" or empty
+  std::optional<std::string> joint;  ///< carries static_joint; default the nearest
   LatticeSettings lattice;
   std::string description{};  ///< free text
   bool operator==(const Organ&) const = default;
@@ -60,10 +60,10 @@ struct Organ {
 
 struct ArmorPiece {
   std::string name;
-  MeshSource mesh;                          ///< builtin: front_plate, back_plate
+  MeshSource mesh;  ///< builtin: front_plate, back_plate
   Carriage carriage = Carriage::rigid;
-  std::vector<std::string> nonProtecting;   ///< names of parts that never count; '*' stands for any run of letters
-  std::optional<double> arealDensity;       ///< kg/m2
+  std::vector<std::string> nonProtecting;  ///< names of parts that never count; '*' stands for any run of letters
+  std::optional<double> arealDensity;      ///< kg/m2
   std::string material;
   std::string description{};  ///< free text
   bool operator==(const ArmorPiece&) const = default;
@@ -111,25 +111,25 @@ struct Source {
   geometry::Vec3d position = geometry::Vec3d::Zero();  ///< metres
   std::optional<geometry::Vec3d> target;               ///< default: the centre of the posed skin's box
   Sampler sampler = Sampler::cone;
-  std::uint64_t shots = 100000;                        ///< per trial
-  std::string description{};  ///< free text
+  std::uint64_t shots = 100000;  ///< per trial
+  std::string description{};     ///< free text
   bool operator==(const Source&) const = default;
 };
 
 struct Study {
   std::string name;
   std::string description;
-  MeshSource human;                   ///< builtin: plain
+  MeshSource human;  ///< builtin: plain
   std::vector<Organ> organs;
-  std::vector<ArmorSystem> systems;   ///< `unarmored` is always computed and not listed
-  std::vector<Pose> poses;            ///< beside `rest`
+  std::vector<ArmorSystem> systems;  ///< `unarmored` is always computed and not listed
+  std::vector<Pose> poses;           ///< beside `rest`
   /// Poses a run computes: names, or clips at a time written CLIP@SECONDS; empty: rest and all of `poses`.
   std::vector<std::string> runPoses;
   std::vector<Source> sources;
   std::vector<OrganModel> models{OrganModel::staticJoint, OrganModel::dynamic};
   std::uint32_t trials = 5;
   std::uint64_t seed = 1;
-  double siteSpacing = 0.04;          ///< metres between interior sites
+  double siteSpacing = 0.04;  ///< metres between interior sites
   bool operator==(const Study&) const = default;
 };
 

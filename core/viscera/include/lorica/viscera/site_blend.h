@@ -32,6 +32,6 @@ std::vector<SiteBlend> bindToSites(std::span<const geometry::Vec3d> points,
 
 /// Offsets of the points in a pose (Eq 10): zero, exactly, where all sites of a point stand still.
 std::vector<geometry::Vec3f> offsets(std::span<const geometry::Vec3d> points, std::span<const SiteBlend> blends,
-                                     std::span<const geometry::RigidTransform> siteCarry);
+                                     std::span<const geometry::RigidTransform> siteCarry, base::Threads threads);
 
 }  // namespace lorica::viscera

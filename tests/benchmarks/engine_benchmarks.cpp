@@ -1,0 +1,85 @@
+/// \file
+/// Parts of the engine on the scene that `lorica-cli bench` measures, one by one.
+
+#include <benchmark/benchmark.h>
+
+#include "bare_loops.h"
+#include "bench_scene.h"
+#include "lorica/geometry/measures.h"
+#include "lorica/shotline/trace.h"
+
+namespace {
+
+using namespace lorica;
+
+constexpr std::uint64_t shotsPerRound = 200000;
+
+const analysis::LoadedStudy& sample() {
+  static const analysis::LoadedStudy study = bench::refinedSample({2});
+  return study;
+}
+
+shotline::PointSource frontOf(const analysis::PosedScene& posed) {
+  shotline::PointSource source;
+  source.name = "front";
+  source.target = geometry::bounds(posed.body().skin).center();
+  source.position = source.target + geometry::Vec3d(0, 0, 5);
+  const std::span<const geometry::Vec3f> skin(posed.body().skin);
+  source.halfAngle = shotline::boundingHalfAngle(source.position, source.target, std::span(&skin, 1));
+  return source;
+}
+
+void countRays(benchmark::State& state) {
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(shotsPerRound));
+}
+
+void traceAndCount(benchmark::State& state) {
+  const analysis::PosedScene posed(sample(), {viscera::OrganModel::dynamic}, std::nullopt, raycast::SceneUse::manyRays,
+                                   {2});
+  const shotline::ShotGenerator shots(frontOf(posed), 1, 0);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(shotline::trace(posed.scene(), posed.layout(), shots, shotsPerRound, {2}));
+  }
+  countRays(state);
+}
+BENCHMARK(traceAndCount)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void bareAllHits(benchmark::State& state) {
+  const analysis::PosedScene posed(sample(), {viscera::OrganModel::dynamic}, std::nullopt, raycast::SceneUse::manyRays,
+                                   {2});
+  const shotline::ShotGenerator shots(frontOf(posed), 1, 0);
+  std::vector<raycast::Ray> rays;
+  for (std::uint64_t i = 0; i < shotsPerRound; ++i) {
+    rays.push_back(shots.shot(i));
+  }
+  const bench::BareScene bare(posed, false);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(bare.allHits(rays, {2}));
+  }
+  countRays(state);
+}
+BENCHMARK(bareAllHits)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void poseFrame(benchmark::State& state) {
+  analysis::PosedScene posed(sample(), {viscera::OrganModel::dynamic}, std::nullopt, raycast::SceneUse::manyFrames,
+                             {2});
+  const human::Clip& clip = sample().clips.front();
+  int frame = 0;
+  for (auto _ : state) {
+    posed.move(human::sample(clip, *sample().body->body().skeleton, clip.duration() * (frame++ % 30) / 30.0), {2});
+  }
+}
+BENCHMARK(poseFrame)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void bindOrgans(benchmark::State& state) {
+  for (auto _ : state) {
+    for (const analysis::LoadedOrgan& organ : sample().organs) {
+      benchmark::DoNotOptimize(viscera::bindOrgan(organ.rig.rest, organ.name, *sample().body, {}, {2}));
+    }
+  }
+}
+BENCHMARK(bindOrgans)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,161 @@
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "lorica/io/import.h"
+#include "program.h"
+
+namespace lorica::test {
+namespace {
+
+class Commands : public Program {
+ protected:
+  void writeSample() const { write("s.lorica.json", run("template sample").out); }
+};
+
+TEST_F(Commands, TemplatesAreListedPrintedAndSound) {
+  const Outcome list = run("template --list");
+  EXPECT_EQ(list.code, 0);
+  std::istringstream names(list.out);
+  std::set<std::string> seen;
+  for (std::string name; std::getline(names, name);) {
+    seen.insert(name);
+    const Outcome text = run("template " + name);
+    EXPECT_EQ(text.code, 0);
+    write(name + ".lorica.json", text.out);
+    EXPECT_EQ(run("check " + name + ".lorica.json").code, 0) << name;
+  }
+  EXPECT_TRUE(seen.contains("sample"));
+}
+
+TEST_F(Commands, RunLeavesThreeFilesWithThePromisedColumns) {
+  writeSample();
+  const Outcome outcome = run("run s.lorica.json --out out --pose rest --trials 2 --shots 2000");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("heart"), std::string::npos);
+  const std::string columns =
+      "structure,kind,class,shots,any_hit,first_hit,unprotected_hit,protected_hit,pct_of_shots,pct_of_body_hits,"
+      "coverage,coverage_lo,coverage_hi\n";
+  EXPECT_TRUE(read("out/summary.csv").starts_with("source,system,model,pose," + columns));
+  EXPECT_TRUE(read("out/trials.csv").starts_with("source,system,model,pose,trial," + columns));
+  const auto provenance = nlohmann::json::parse(read("out/provenance.json"));
+  EXPECT_EQ(provenance["partial"], false);
+  EXPECT_EQ(provenance["seed"], 1);
+  EXPECT_GT(provenance["sources"][0]["solid_angle_sr"], 0.0);
+}
+
+TEST_F(Commands, RunGivesTheSameBytesAtOneTwoAndFiveThreads) {
+  writeSample();
+  for (const std::string threads : {"1", "2", "5"}) {
+    ASSERT_EQ(run("run s.lorica.json --quiet --out out" + threads + " --threads " + threads +
+                  " --pose toe_touch@2 --pose rest --shots 5000 --trials 2 --model dynamic --model dynamic_thesis")
+                  .code,
+              0);
+  }
+  for (const std::string file : {"summary.csv", "trials.csv", "provenance.json"}) {
+    EXPECT_EQ(read("out1/" + file), read("out2/" + file));
+    EXPECT_EQ(read("out1/" + file), read("out5/" + file));
+    EXPECT_FALSE(read("out1/" + file).empty());
+  }
+}
+
+TEST_F(Commands, QuietPrintsNothing) {
+  writeSample();
+  const Outcome outcome = run("run s.lorica.json --quiet --out out --pose rest --trials 1 --shots 500");
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(Commands, WrongUsageIsExitCode2WithOneLine) {
+  writeSample();
+  for (const std::string arguments : {"", "fly", "run", "run s.lorica.json", "run s.lorica.json --out o --shots 0",
+                                      "run s.lorica.json --out o --shots x", "run s.lorica.json --out o --model soft",
+                                      "export s.lorica.json --pose rest --format stl --out x"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+TEST_F(Commands, HelpNamesEveryCommand) {
+  const Outcome outcome = run("--help");
+  EXPECT_EQ(outcome.code, 0);
+  for (const std::string name : {"run", "check", "template", "import", "export", "upgrade", "bench"}) {
+    EXPECT_NE(outcome.out.find("  " + name), std::string::npos) << name;
+    EXPECT_EQ(run(name + " --help").code, 0);
+  }
+}
+
+TEST_F(Commands, UpgradeOfACurrentStudySavesTheSameBytes) {
+  writeSample();
+  ASSERT_EQ(run("upgrade s.lorica.json --out once.lorica.json").code, 0);
+  ASSERT_EQ(run("upgrade once.lorica.json --out twice.lorica.json").code, 0);
+  EXPECT_EQ(read("once.lorica.json"), read("twice.lorica.json"));
+  EXPECT_EQ(read("s.lorica.json"), read("once.lorica.json")) << "the sample is canonical";
+}
+
+TEST_F(Commands, ExportWritesEveryFormatAndImportsBack) {
+  writeSample();
+  for (const std::string format : {"glb", "ply", "vtp"}) {
+    ASSERT_EQ(run("export s.lorica.json --pose toe_touch@2 --format " + format + " --out pose." + format).code, 0);
+    EXPECT_GT(read("pose." + format).size(), 100000U);
+  }
+  const io::Model model = io::importModel(folder_ / "pose.glb");
+  EXPECT_EQ(model.parts.front().name, "body");
+  EXPECT_GT(model.parts.size(), 10U);
+}
+
+TEST_F(Commands, ImportOfAnExportRunsAndKeepsSystemsApart) {
+  writeSample();
+  ASSERT_EQ(run("export s.lorica.json --pose rest --format glb --out all.glb").code, 0);
+  const Outcome outcome = run("import all.glb --armor all.glb --system light --plates --out made.lorica.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto study = nlohmann::json::parse(read("made.lorica.json"));
+  ASSERT_EQ(study["armor"].size(), 2U);
+  EXPECT_EQ(study["armor"][0]["name"], "armor");
+  EXPECT_EQ(study["armor"][1]["name"], "light");
+  EXPECT_EQ(study["armor"][1]["pieces"].size(), 2U);
+}
+
+TEST_F(Commands, AcceptInputsTakesAChangedFile) {
+  writeSample();
+  ASSERT_EQ(run("export s.lorica.json --pose rest --format ply --out body.ply").code, 0);
+  ASSERT_EQ(run("import body.ply --out made.lorica.json").code, 0);
+  ASSERT_EQ(run("export s.lorica.json --pose squat@1 --format ply --out body.ply").code, 0);
+  expectOneClearLine(run("run made.lorica.json --quiet --out out"), {"body.ply", "changed", "--accept-inputs"});
+  EXPECT_FALSE(exists("out"));
+  EXPECT_EQ(run("check made.lorica.json").code, 3);
+  EXPECT_EQ(run("check --accept-inputs made.lorica.json").code, 0);
+  EXPECT_EQ(run("run made.lorica.json --quiet --out out --trials 1 --shots 100").code, 0);
+}
+
+TEST_F(Commands, InterruptStopsWithinASecondAndLeavesAResultThatSaysItIsPartial) {
+  writeSample();
+  const pid_t child = fork();
+  if (child == 0) {
+    if (chdir(folder_.c_str()) == 0) {
+      execl(LORICA_CLI, LORICA_CLI, "run", "s.lorica.json", "--quiet", "--out", "out", "--pose", "rest", "--shots",
+            "1000000", "--trials", "100000", nullptr);
+    }
+    _exit(127);
+  }
+  std::this_thread::sleep_for(std::chrono::seconds(8));
+  const auto start = std::chrono::steady_clock::now();
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 4);
+  EXPECT_LT(seconds, 5.0) << "a second on a quiet machine, more under a sanitizer";
+  EXPECT_EQ(nlohmann::json::parse(read("out/provenance.json"))["partial"], true);
+  EXPECT_FALSE(read("out/summary.csv").empty());
+}
+
+}  // namespace
+}  // namespace lorica::test
