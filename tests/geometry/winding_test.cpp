@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "lorica/geometry/primitives.h"
 
 namespace lorica::geometry {

@@ -57,18 +57,35 @@ TEST(StudyText, IsOrderedIndentedShortAndEndsWithALineBreak) {
   "sources": [
     {
       "name": "front",
-      "position": [0, 1.5, 5]
+      "position": [0, 1.5, 5],
+      "sampler": "cone",
+      "shots": 100000
     }
   ],
+  "models": [
+    "static_joint",
+    "dynamic"
+  ],
+  "trials": 5,
+  "seed": 1,
   "site_spacing_mm": 35
 }
 )");
 }
 
-TEST(StudyText, OmitsEveryDefault) {
+TEST(StudyText, WritesOutWhatDecidesTheNumbersAndOmitsEveryOtherDefault) {
   Study study;
   study.human.from = Builtin{"plain"};
-  EXPECT_EQ(studyText(study), "{\n  \"lorica_study\": 1,\n  \"human\": {\n    \"builtin\": \"plain\"\n  }\n}\n");
+  study.organs.resize(1);
+  study.organs[0].name = "heart";
+  study.organs[0].mesh.from = Builtin{"plain/heart"};
+  const Json json = Json::parse(studyText(study));
+  EXPECT_EQ(json["models"], Json({"static_joint", "dynamic"}));
+  EXPECT_EQ(json["trials"], 5);
+  EXPECT_EQ(json["seed"], 1);
+  EXPECT_EQ(json["organs"][0]["lattice"]["cell_mm"], 40);
+  EXPECT_EQ(json.size(), 6U) << "version, human, organs, models, trials, seed";
+  EXPECT_EQ(json["organs"][0].size(), 3U) << "name, builtin, lattice";
 }
 
 TEST(StudyText, IsEqualForEqualStudiesWhateverTheSignOfZero) {

@@ -108,7 +108,7 @@ Json latticeJson(const LatticeSettings& lattice) {
   if (lattice.layout == Layout::uniform || lattice.layout == Layout::perAxis) {
     object["cells"] = x == y && y == z ? Json(x) : Json(lattice.cells);
   }
-  if (lattice.layout == Layout::cellSize && lattice.cellMetres != defaults.cellMetres) {
+  if (lattice.layout == Layout::cellSize) {
     object["cell_mm"] = millimetres(lattice.cellMetres);
   }
   if (lattice.prune != defaults.prune) {
@@ -173,18 +173,13 @@ Json poseJson(const Pose& pose) {
 }
 
 Json sourceJson(const Source& source) {
-  const Source defaults;
   Json object = named(source.name, source.description);
   object["position"] = vectorJson(source.position);
   if (source.target) {
     object["target"] = vectorJson(*source.target);
   }
-  if (source.sampler != defaults.sampler) {
-    object["sampler"] = wordFor(source.sampler, samplerWords);
-  }
-  if (source.shots != defaults.shots) {
-    object["shots"] = source.shots;
-  }
+  object["sampler"] = wordFor(source.sampler, samplerWords);
+  object["shots"] = source.shots;
   return object;
 }
 
@@ -208,18 +203,13 @@ Json studyJson(const Study& study) {
   putList(root, "poses", study.poses, poseJson);
   putNames(root, "run_poses", study.runPoses);
   putList(root, "sources", study.sources, sourceJson);
-  if (study.models != defaults.models) {
-    root["models"] = Json::array();
-    for (const OrganModel model : study.models) {
-      root["models"].push_back(name(model));
-    }
+  // What decides the numbers is written out, defaults or not.
+  root["models"] = Json::array();
+  for (const OrganModel model : study.models) {
+    root["models"].push_back(name(model));
   }
-  if (study.trials != defaults.trials) {
-    root["trials"] = study.trials;
-  }
-  if (study.seed != defaults.seed) {
-    root["seed"] = study.seed;
-  }
+  root["trials"] = study.trials;
+  root["seed"] = study.seed;
   if (study.siteSpacing != defaults.siteSpacing) {
     root["site_spacing_mm"] = millimetres(study.siteSpacing);
   }

@@ -1,7 +1,8 @@
 #pragma once
 
 /// \file
-/// The study's file: JSON, versioned, defaults omitted, described by resources/schema/study.schema.json.
+/// The study's file: JSON, versioned, described by resources/schema/study.schema.json. Defaults are
+/// omitted but for those that decide the numbers: models, trials, seed, shots, samplers and lattice cells.
 
 #include <filesystem>
 #include <string>
