@@ -79,11 +79,15 @@ TEST(Isosurface, IsClosedWhereTheFieldVanishesOnGridPoints) {
 }
 
 TEST(Isosurface, IsClosedWhereASphereTouchesGridPoints) {
-  for (const double cell : {0.25, 0.125, 0.03125}) {
-    const TriangleMesh mesh =
-        isosurface([](const Vec3d& p) { return p.norm() - 1.0; }, cubeAround(Vec3d::Zero(), 1.25), cell);
-    expectClosedManifold(mesh);
-    EXPECT_EQ(test::eulerCharacteristic(mesh), 2);
+  for (const double cell : {0.25, 0.03125, 0.0078125}) {
+    for (const double away : {0.0, 1.0, 1000.0}) {
+      const Vec3d centre = Vec3d::Constant(away);
+      const double radius = 16 * cell;
+      const TriangleMesh mesh =
+          isosurface([&](const Vec3d& p) { return (p - centre).norm() - radius; }, cubeAround(centre, 20 * cell), cell);
+      expectClosedManifold(mesh);
+      EXPECT_EQ(test::eulerCharacteristic(mesh), 2);
+    }
   }
 }
 
