@@ -214,6 +214,47 @@ TEST(AllHits, AFaceHeldTwiceByOneMeshCountsOnce) {
   EXPECT_EQ(caster.cast({Vec3f(0.3F, 0.1F, 4), Vec3f(0, 0, -1)}).size(), 2U);
 }
 
+TEST(AllHits, StayPairedWhereAClosedMeshFoldsOntoItself) {
+  // A flap without thickness in front of a box: a wall out and the same wall back, and out again to close it.
+  TriangleMesh mesh = geometry::box({-1, -1, -1}, {1, 1, 1});
+  const std::vector<geometry::Triangle> front{{4, 5, 7}, {4, 7, 6}};
+  for (const geometry::Triangle& t : front) {
+    mesh.triangles.push_back({t[0], t[2], t[1]});
+    mesh.triangles.push_back(t);
+  }
+  Range range({&mesh});
+  Caster caster(range.scene);
+  int sum = 0;
+  const auto hits = caster.cast({Vec3f(0.3F, 0.1F, 4), Vec3f(0, 0, -1)});
+  for (const Hit& hit : hits) {
+    sum += hit.sign();
+  }
+  EXPECT_EQ(hits.size(), 4U);
+  EXPECT_EQ(sum, 0);
+  EXPECT_EQ(caster.counts().unresolved, 0U);
+}
+
+TEST(AllHits, OfConcentricSpheresAreNestedPairs) {
+  TriangleMesh shells;
+  for (int i = 1; i <= 40; ++i) {
+    geometry::append(shells, geometry::ellipsoid({0, 0, 0}, Vec3d::Constant(0.025 * i), 3));
+  }
+  Range range({&shells});
+  Caster caster(range.scene);
+  std::mt19937_64 engine(8);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3d from = 3.0 * direction(engine);
+    const Vec3d through = 0.015 * direction(engine);
+    const auto hits = caster.cast({from.cast<float>(), (through - from).cast<float>()});
+    ASSERT_EQ(hits.size(), 80U);
+    for (std::size_t h = 0; h < 40; ++h) {
+      ASSERT_TRUE(hits[h].entering);
+      ASSERT_FALSE(hits[79 - h].entering);
+      ASSERT_EQ(hits[h].component, hits[79 - h].component);
+    }
+  }
+}
+
 TEST(AllHits, StayPairedWhereASkinPassesThroughItself) {
   // A tube bent so far that its ends run through each other.
   TriangleMesh tube = geometry::ellipsoid({0, 0, 0}, {0.1, 1.0, 0.1}, 5);

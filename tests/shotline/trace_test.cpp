@@ -65,6 +65,30 @@ TEST_F(Target, ASpheresHitShareLiesAroundItsSolidAngle) {
   EXPECT_LT(share, interval.high + 1e-3);
 }
 
+TEST(SphereShare, LiesInsideItsIntervalAsOftenAsTheIntervalPromises) {
+  const TriangleMesh sphere = geometry::ellipsoid({0, 0, 0}, {1, 1, 1}, 6);
+  raycast::Scene scene(raycast::SceneUse::manyRays);
+  scene.add(sphere.positions, raycast::makeTopology(sphere));
+  scene.build();
+  const std::vector<std::uint16_t> regions(sphere.triangles.size(), 0);
+  TargetLayout layout;
+  layout.regionOfTriangle = regions;
+  layout.regions = 1;
+  PointSource source;
+  source.name = "front";
+  source.position = {0, 0, 8};
+  source.halfAngle = 0.16;
+  const double share = solidAngle(std::asin(1.0 / 8.0)) / solidAngle(0.16);
+  int outside = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Tally tally = trace(scene, layout, ShotGenerator(source, seed, 0), 20000, {}).tally;
+    const stats::Interval interval = stats::wilson(tally.body(0).any, tally.shots());
+    outside += share < interval.low || share > interval.high ? 1 : 0;
+  }
+  // One in twenty is expected; more than four happen by chance once in four hundred times.
+  EXPECT_LE(outside, 4);
+}
+
 TEST_F(Target, HitAndMissMakeAllShots) {
   const Tally tally = shoot(50000).tally;
   EXPECT_EQ(tally.body(0).any + tally.miss().any, 50000U);

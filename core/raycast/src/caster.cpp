@@ -89,10 +89,13 @@ void sortAndMerge(std::vector<Hit>& hits, const Scene& scene) {
   constexpr double tolerance = 1e-9;
   std::size_t kept = 0;
   for (const Hit& hit : hits) {
+    const MeshTopology& topology = scene.topology(MeshIndex{hit.mesh});
     bool repeats = false;
     for (std::size_t k = kept; k-- > 0 && hit.t - hits[k].t <= tolerance * hit.t;) {
-      if (hits[k].mesh == hit.mesh && hits[k].component == hit.component && hits[k].entering == hit.entering) {
-        const auto& triangles = scene.topology(MeshIndex{hit.mesh}).triangles;
+      // Crossings of a closed component are never one too many: they add up, also where it folds onto itself.
+      if (!topology.closed[hit.component] && hits[k].mesh == hit.mesh && hits[k].component == hit.component &&
+          hits[k].entering == hit.entering) {
+        const auto& triangles = topology.triangles;
         repeats = repeats || hits[k].triangle == hit.triangle ||
                   shareCorner(triangles[hits[k].triangle], triangles[hit.triangle]);
       }
