@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -23,7 +24,10 @@ std::string readFile(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::string bytes;
   if (stream && fs::is_regular_file(status)) {
-    bytes.resize(fs::file_size(path, failure));
+    // The size of what was opened: the path may mean another file by now.
+    stream.seekg(0, std::ios::end);
+    bytes.resize(static_cast<std::size_t>(std::max<std::streamoff>(0, stream.tellg())));
+    stream.seekg(0);
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     bytes.resize(static_cast<std::size_t>(stream.gcount()));
   } else if (stream) {

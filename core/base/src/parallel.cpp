@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -12,6 +13,7 @@
 
 #ifndef LORICA_PLAIN_THREADS
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -60,12 +62,19 @@ void spread(std::size_t count, std::size_t grain, int threads,
 
 namespace {
 
-/// An arena keeps the promised number of threads, also on a machine with fewer cores. Making one takes longer than
-/// many a loop, so they are kept.
+/// An arena keeps to the promised number of threads. Making one takes longer than many a loop, so they are kept.
 tbb::task_arena& arenaOf(int threads) {
   static std::mutex mutex;
+  static std::unique_ptr<tbb::global_control> allowance;
+  static int allowed = machineThreads();
   static std::map<int, tbb::task_arena> arenas;
   const std::lock_guard lock(mutex);
+  if (threads > allowed) {
+    // TBB hands out no more threads than the machine has cores, and says so on stderr, unless it is told otherwise.
+    allowance = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                      static_cast<std::size_t>(threads));
+    allowed = threads;
+  }
   return arenas.try_emplace(threads, threads).first->second;
 }
 

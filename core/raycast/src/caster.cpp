@@ -1,6 +1,7 @@
 #include "lorica/raycast/caster.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "embree.h"
@@ -13,22 +14,35 @@ using geometry::Vec3f;
 
 namespace {
 
-/// Which side of the edge from p to q the ray passes, seen from its origin. Swapping p and q turns the sign exactly,
-/// also in floating point, so two triangles at an edge never both win or both lose the ray.
-double edgeFunction(const Vec3d& direction, const Vec3d& p, const Vec3d& q) {
-  const Vec3d normal = q.cross(p);
-  const double side = direction.dot(normal);
-  if (side != 0.0) {
-    return side;
-  }
-  // The ray meets the edge: decide as if its direction were turned by (e, e^2, e^3), e -> 0. The result only needs
-  // the right sign; it is as good as zero.
+/// Quadruple precision: differences of floats of one scene have some 30 bits, so triple products of them are exact.
+__extension__ using Quad = __float128;
+
+/// The sign of an edge function too near zero for double precision; where the ray meets the edge exactly, the sign it
+/// has when the ray's direction is turned by (e, e^2, e^3), e -> 0. As good as zero but for its sign.
+double signNearEdge(const Vec3d& direction, const Vec3d& p, const Vec3d& q) {
+  std::array<Quad, 3> normal{};
+  Quad side = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    if (normal[axis] != 0.0) {
-      return std::copysign(1e-300, normal[axis]);
+    const int next = (axis + 1) % 3;
+    const int last = (axis + 2) % 3;
+    normal[static_cast<std::size_t>(axis)] = Quad(q[next]) * Quad(p[last]) - Quad(q[last]) * Quad(p[next]);
+    side += Quad(direction[axis]) * normal[static_cast<std::size_t>(axis)];
+  }
+  for (const Quad value : {side, normal[0], normal[1], normal[2]}) {
+    if (value != 0) {
+      return value > 0 ? 1e-300 : -1e-300;
     }
   }
   return 0.0;
+}
+
+/// Which side of the edge from p to q the ray passes, seen from its origin. Swapping p and q turns the sign exactly,
+/// also in floating point, so two triangles at an edge never both win or both lose the ray.
+double edgeFunction(const Vec3d& direction, const Vec3d& p, const Vec3d& q) {
+  const double side = direction.dot(q.cross(p));
+  // Generous bound of the rounding errors of the products above.
+  const double noise = 1e-14 * direction.cwiseAbs().sum() * p.cwiseAbs().maxCoeff() * q.cwiseAbs().maxCoeff();
+  return std::abs(side) > noise ? side : signNearEdge(direction, p, q);
 }
 
 }  // namespace
@@ -92,13 +106,13 @@ void sortAndMerge(std::vector<Hit>& hits, const Scene& scene) {
     const MeshTopology& topology = scene.topology(MeshIndex{hit.mesh});
     bool repeats = false;
     for (std::size_t k = kept; k-- > 0 && hit.t - hits[k].t <= tolerance * hit.t;) {
-      // Crossings of a closed component are never one too many: they add up, also where it folds onto itself.
-      if (!topology.closed[hit.component] && hits[k].mesh == hit.mesh && hits[k].component == hit.component &&
-          hits[k].entering == hit.entering) {
-        const auto& triangles = topology.triangles;
-        repeats = repeats || hits[k].triangle == hit.triangle ||
-                  shareCorner(triangles[hits[k].triangle], triangles[hit.triangle]);
+      if (hits[k].mesh != hit.mesh || hits[k].component != hit.component || hits[k].entering != hit.entering) {
+        continue;
       }
+      // Two triangles of a closed component are never one too many: they add up, also where it folds onto itself.
+      repeats = repeats || hits[k].triangle == hit.triangle ||
+                (!topology.closed[hit.component] &&
+                 shareCorner(topology.triangles[hits[k].triangle], topology.triangles[hit.triangle]));
     }
     if (!repeats) {
       hits[kept++] = hit;

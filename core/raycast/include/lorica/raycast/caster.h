@@ -51,9 +51,9 @@ struct Crossing {
 std::optional<Crossing> crossing(const Ray& ray, const geometry::Vec3f& a, const geometry::Vec3f& b,
                                  const geometry::Vec3f& c);
 
-/// Orders hits by (t, mesh, component, triangle) and merges those of one open component that have the same orientation,
-/// the same t within 1e-9 (relative) and a common corner: faces that a mesh holds twice. A ray at an edge needs no
-/// merging, it crosses one triangle there.
+/// Orders hits by (t, mesh, component, triangle) and merges repeated ones: the same triangle, or, in an open component,
+/// triangles with a common corner, the same orientation and the same t within 1e-9 (relative): faces that a mesh holds
+/// twice. A ray at an edge needs no merging, it crosses one triangle there.
 void sortAndMerge(std::vector<Hit>& hits, const Scene& scene);
 
 /// Casts rays at a built scene. One caster per thread: it keeps buffers.
