@@ -29,8 +29,8 @@ struct MeshAudit {
 /// Cost: linear. \pre mesh is welded, else seams read as boundaries
 MeshAudit audit(const TriangleMesh& mesh);
 
-/// Turns closed components that are inside out, unless they lie inside another one of the same mesh that faces outwards,
-/// where they bound a cavity. Returns how many were turned; `mesh` and `audit` stay in step.
+/// Turns closed components that are inside out, unless they lie inside another one of the same mesh that faces
+/// outwards, where they bound a cavity. Returns how many were turned; `mesh` and `audit` stay in step.
 std::size_t turnInsideOutComponents(TriangleMesh& mesh, MeshAudit& audit);
 
 }  // namespace lorica::geometry
