@@ -36,17 +36,44 @@ int checkFiles(const std::vector<fs::path>& files, bool acceptInputs) {
 }
 
 int printTemplate(const std::string& name, bool list) {
+  const std::vector<std::string> names = study::templateNames();
+  if (!list && std::find(names.begin(), names.end(), name) == names.end()) {
+    fmt::print(stderr, "lorica-cli: there is no template named \"{}\"; there are {}\n", name, fmt::join(names, ", "));
+    return wrongUsage;
+  }
   if (!list) {
     fmt::print("{}", study::templateText(name));
     return done;
   }
-  for (const std::string& known : study::templateNames()) {
+  for (const std::string& known : names) {
     fmt::print("{}\n", known);
   }
   return done;
 }
 
+namespace {
+
+/// The file to be written must not be one that is read.
+void refuseToOverwrite(const fs::path& out, const std::vector<fs::path>& inputs) {
+  for (const fs::path& input : inputs) {
+    std::error_code ignored;
+    if (fs::equivalent(out, input, ignored)) {
+      throw base::InputError(out.string(), "", "is read here, so it cannot be written too; give --out another name");
+    }
+  }
+}
+
+}  // namespace
+
 int importFiles(const analysis::ImportRequest& request) {
+  std::vector<fs::path> inputs = request.organs;
+  inputs.push_back(request.skin);
+  for (const analysis::ArmorRequest& armor : request.armor) {
+    if (const auto* file = std::get_if<fs::path>(&armor.from)) {
+      inputs.push_back(*file);
+    }
+  }
+  refuseToOverwrite(request.studyFile, inputs);
   analysis::ImportedStudy imported;
   {
     Stage stage("importing", false);
@@ -67,6 +94,11 @@ int exportPose(const ExportArguments& arguments) {
                                  : arguments.format == "ply" ? io::SceneFormat::ply
                                                              : io::SceneFormat::vtp;
   study::Study study = study::loadStudy(arguments.study);
+  std::vector<fs::path> inputs{arguments.study};
+  for (const study::InputFile& input : study::inputFiles(study)) {
+    inputs.push_back(study::resolve(input, arguments.study));
+  }
+  refuseToOverwrite(arguments.out, inputs);
   const viscera::OrganModel model = *viscera::organModelNamed(arguments.model);
   study.models = {model};
   Stage stage("exporting", false);

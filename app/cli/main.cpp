@@ -23,7 +23,10 @@ void addRun(CLI::App& app, int& code) {
   command->add_option("STUDY", arguments->study, "the study (*.lorica.json)")->required();
   command->add_option("--out", arguments->out, "folder for summary.csv, trials.csv and provenance.json")->required();
   command->add_option("--threads", arguments->threads, "threads to use (default: all)")->check(CLI::Range(1, 1024));
-  command->add_option("--seed", arguments->seed, "seed of the shots (default: the study's)");
+  command->add_option("--seed", arguments->seed, "seed of the shots (default: the study's)")
+      ->check([](const std::string& text) {
+        return text.starts_with('-') ? std::string("a seed is a whole number from 0 up") : std::string();
+      });
   command->add_option("--trials", arguments->trials, "trials (default: the study's)")->check(CLI::Range(1, 100000));
   command->add_option("--shots", arguments->shots, "shots per trial (default: the study's)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000000}));
@@ -175,7 +178,12 @@ int main(int argc, char** argv) {
   namespace cli = lorica::cli;
   cli::catchInterrupts();
   try {
-    return cli::parseAndRun(argc, argv);
+    const int code = cli::parseAndRun(argc, argv);
+    if (std::fflush(stdout) != 0) {
+      fmt::print(stderr, "lorica-cli: the output cannot be written; is the disk full?\n");
+      return cli::badInput;
+    }
+    return code;
   } catch (const lorica::base::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return cli::badInput;

@@ -8,6 +8,7 @@
 #include "console.h"
 #include "lorica/analysis/results.h"
 #include "lorica/base/error.h"
+#include "lorica/base/files.h"
 #include "lorica/study/study_file.h"
 #include "summary_table.h"
 
@@ -54,6 +55,10 @@ int runStudy(const RunArguments& arguments) {
   if (study.study.sources.empty()) {
     throw base::InputError(arguments.study.string(), "/sources", "the study has no source to shoot from; add one");
   }
+  for (const std::string& pose : arguments.poses) {
+    analysis::resolvePose(study, pose);
+  }
+  base::requireWritableFolder(arguments.out);
   analysis::RunOptions options;
   options.poses = arguments.poses;
   options.seed = arguments.seed;

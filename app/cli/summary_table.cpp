@@ -60,7 +60,8 @@ std::string summaryTable(const analysis::RunResult& result, const std::vector<Re
     for (const ResultRow& row : rows) {
       const bool here =
           row.source == head.source && row.system == head.system && row.pose == head.pose && row.model == head.model;
-      const bool shown = row.kind == "organ" || (row.kind == "aggregate" && row.structure == "organs") ||
+      const bool shown = row.kind == "organ" ||
+                         (row.kind == "aggregate" && row.structure == "organs" && row.count.any > 0) ||
                          (row.kind == "body" && row.structure == "body");
       if (!here || !shown) {
         continue;

@@ -107,6 +107,18 @@ TEST_F(Import, SaysByHowMuchAnOrganIsOutsideTheSkin) {
   EXPECT_TRUE(said) << "0.85 + 0.1 - 0.9 is 50 mm";
 }
 
+TEST_F(Import, SaysThatArmorFarFromTheBodyIsNotWorn) {
+  ImportRequest wanted = request();
+  wanted.armor = {{"armor", ball("near", {0, 1, 0.95}, 0.1)}, {"armor", ball("far", {0, 1, 3.0}, 0.1)}};
+  std::vector<std::string> said;
+  for (const base::Issue& issue : importStudy(wanted, {}).issues) {
+    if (issue.text.find("not worn") != std::string::npos) {
+      said.push_back(issue.place);
+    }
+  }
+  EXPECT_EQ(said, std::vector<std::string>{"far"});
+}
+
 TEST_F(Import, AChangedInputIsRefusedUntilItIsAccepted) {
   ImportRequest wanted = request();
   wanted.organs = {ball("heart", {0, 1, 0}, 0.1)};

@@ -147,6 +147,17 @@ TEST_F(BadStudy, UnknownStructure) {
   refused(study.dump(), {"/organs/0", "gills"});
 }
 
+TEST_F(BadStudy, LatticeTooFineToHold) {
+  auto study = json();
+  study["organs"][0]["lattice"] = {{"layout", "uniform"}, {"cells", 1000}};
+  refused(study.dump(), {"/organs/0/lattice", "control points"});
+}
+
+TEST_F(BadStudy, ClipWithoutATime) {
+  write("bad.lorica.json", sample_);
+  expectOneClearLine(run("run bad.lorica.json --out out --pose squat"), {"squat@"});
+}
+
 TEST_F(BadStudy, NegativeCount) {
   auto study = json();
   study["trials"] = -5;

@@ -73,9 +73,10 @@ TEST_F(Commands, QuietPrintsNothing) {
 
 TEST_F(Commands, WrongUsageIsExitCode2WithOneLine) {
   writeSample();
-  for (const std::string arguments : {"", "fly", "run", "run s.lorica.json", "run s.lorica.json --out o --shots 0",
-                                      "run s.lorica.json --out o --shots x", "run s.lorica.json --out o --model soft",
-                                      "export s.lorica.json --pose rest --format stl --out x"}) {
+  for (const std::string arguments :
+       {"", "fly", "template nope", "run s.lorica.json --out o --seed -1", "run", "run s.lorica.json",
+        "run s.lorica.json --out o --shots 0", "run s.lorica.json --out o --shots x",
+        "run s.lorica.json --out o --model soft", "export s.lorica.json --pose rest --format stl --out x"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
@@ -132,6 +133,25 @@ TEST_F(Commands, AcceptInputsTakesAChangedFile) {
   EXPECT_EQ(run("check made.lorica.json").code, 3);
   EXPECT_EQ(run("check --accept-inputs made.lorica.json").code, 0);
   EXPECT_EQ(run("run made.lorica.json --quiet --out out --trials 1 --shots 100").code, 0);
+}
+
+TEST_F(Commands, WhatIsWrittenNeverReplacesWhatIsRead) {
+  writeSample();
+  const std::string before = read("s.lorica.json");
+  expectOneClearLine(run("export s.lorica.json --pose rest --format glb --out s.lorica.json"),
+                     {"s.lorica.json", "--out"});
+  EXPECT_EQ(read("s.lorica.json"), before);
+  ASSERT_EQ(run("export s.lorica.json --pose rest --format ply --out body.ply").code, 0);
+  expectOneClearLine(run("import body.ply --out body.ply"), {"body.ply", "--out"});
+}
+
+TEST_F(Commands, ARunThatCannotWriteAllItsTablesWritesNone) {
+  writeSample();
+  fs::create_directories(folder_ / "out" / "provenance.json");
+  expectOneClearLine(run("run s.lorica.json --quiet --out out --pose rest --trials 1 --shots 100"),
+                     {"provenance.json"});
+  EXPECT_FALSE(exists("out/summary.csv"));
+  EXPECT_FALSE(exists("out/trials.csv"));
 }
 
 TEST_F(Commands, InterruptStopsWithinASecondAndLeavesAResultThatSaysItIsPartial) {

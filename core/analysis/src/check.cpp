@@ -37,7 +37,12 @@ base::Issues checkMesh(const std::filesystem::path& path) {
     issues.push_back(auditPart(part, path.string()));
   }
   if (model.skeleton) {
-    issues.push_back({Severity::note, path.string(), "", fmt::format("{} joints", model.skeleton->size())});
+    std::vector<std::string> names;
+    for (const human::Joint& joint : model.skeleton->joints()) {
+      names.push_back(joint.name);
+    }
+    issues.push_back(
+        {Severity::note, path.string(), "", fmt::format("{} joints: {}", names.size(), fmt::join(names, ", "))});
   }
   for (const human::Clip& clip : model.clips) {
     issues.push_back({Severity::note, path.string(), clip.name, fmt::format("clip of {:.3f} s", clip.duration())});
@@ -53,6 +58,15 @@ base::Issues checkStudy(const std::filesystem::path& path, base::Threads threads
   }
   const LoadedStudy loaded = load(std::move(study), path, threads, progress);
   issues = loaded.issues;
+  if (loaded.study.sources.empty()) {
+    issues.push_back({Severity::warning, path.string(), "/sources", "the study has no source to shoot from; add one"});
+  }
+  for (std::size_t s = 0; s < loaded.study.sources.size(); ++s) {
+    if (loaded.study.sources[s].target == loaded.study.sources[s].position) {
+      issues.push_back({Severity::error, path.string(), fmt::format("/sources/{}", s),
+                        "the source stands on its target; move one of them"});
+    }
+  }
   for (const std::string& pose : defaultPoses(loaded.study)) {
     try {
       resolvePose(loaded, pose);

@@ -7,6 +7,7 @@
 #include "load_meshes.h"
 #include "lorica/armor/plates.h"
 #include "lorica/base/error.h"
+#include "lorica/geometry/measures.h"
 #include "lorica/parenting/skin_side.h"
 #include "lorica/study/study_file.h"
 
@@ -121,11 +122,17 @@ void loadOrgans(Loading& loading, const base::Progress& progress) {
         loading.fail(place + "/joint", fmt::format("the body has no joint named \"{}\"", *organ.joint));
       }
     }
+    geometry::TriangleMesh mesh = loadOrganMesh(loading, organ, place);
+    const double asked = viscera::controlPointsAsked(geometry::bounds(mesh.positions), options.lattice);
+    if (asked > viscera::latticeLimit) {
+      loading.fail(place + "/lattice",
+                   fmt::format("asks for {:.3g} control points; at most {:.0g} are possible, so take larger cells",
+                               asked, viscera::latticeLimit));
+    }
     LoadedOrgan loaded;
     loaded.name = organ.name;
     loaded.injuryClass = organ.injuryClass;
-    loaded.rig = viscera::bindOrgan(loadOrganMesh(loading, organ, place), organ.name, *loading.result.body, options,
-                                    loading.threads);
+    loaded.rig = viscera::bindOrgan(std::move(mesh), organ.name, *loading.result.body, options, loading.threads);
     loaded.topology = raycast::makeTopology(loaded.rig.rest);
     base::append(loading.result.issues, loaded.rig.issues);
     checkInside(loading, loaded);
@@ -153,6 +160,48 @@ geometry::TriangleMesh loadPlate(Loading& loading, const study::ArmorPiece& piec
   return std::move(placed.mesh);
 }
 
+/// A pattern that fits no part is a slip that would count a strap as armor.
+void warnOfIdlePatterns(Loading& loading, const study::ArmorPiece& piece, const io::Model& model,
+                        const std::string& place) {
+  for (std::size_t n = 0; n < piece.nonProtecting.size(); ++n) {
+    const std::string& pattern = piece.nonProtecting[n];
+    if (std::any_of(model.parts.begin(), model.parts.end(),
+                    [&](const io::Part& part) { return fits(part.name, pattern); })) {
+      continue;
+    }
+    constexpr std::size_t shown = 12;
+    std::vector<std::string> names;
+    for (std::size_t p = 0; p < std::min(shown, model.parts.size()); ++p) {
+      names.push_back(model.parts[p].name);
+    }
+    loading.result.issues.push_back(
+        {base::Severity::warning, "", fmt::format("{}/non_protecting/{}", place, n),
+         fmt::format("\"{}\" names no part of the piece; its parts are {}{}", pattern, fmt::join(names, ", "),
+                     model.parts.size() > shown ? " and others" : "")});
+  }
+}
+
+/// Says when a piece hangs in the air: most of it is far from the body.
+void checkWorn(Loading& loading, const LoadedPiece& piece) {
+  constexpr std::size_t looks = 1000;
+  constexpr double far = 0.15;
+  const geometry::Positions& positions = piece.rig.rest.positions;
+  const std::size_t stride = std::max<std::size_t>(1, positions.size() / looks);
+  std::vector<double> distances;
+  for (std::size_t v = 0; v < positions.size(); v += stride) {
+    const auto nearest = raycast::closestPoint(loading.result.body->restScene(), positions[v].cast<double>());
+    distances.push_back(nearest ? nearest->distance : 0.0);
+  }
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  if (*middle > far) {
+    loading.result.issues.push_back(
+        {base::Severity::warning, "", piece.name,
+         fmt::format("is not worn: half of it is more than {:.0f} mm from the skin at rest; check its place and unit",
+                     1000.0 * *middle)});
+  }
+}
+
 LoadedPiece loadPiece(Loading& loading, const study::ArmorPiece& piece, const std::string& place) {
   LoadedPiece loaded;
   loaded.name = piece.name;
@@ -164,6 +213,7 @@ LoadedPiece loadPiece(Loading& loading, const study::ArmorPiece& piece, const st
   const InputFile& input = std::get<InputFile>(piece.mesh.from);
   const io::Model& model = loading.library.file(input);
   MeshLibrary::checkParts(piece.mesh, model, input.path);
+  warnOfIdlePatterns(loading, piece, model, place);
   const auto protects = [&](const std::string& part) {
     return std::none_of(piece.nonProtecting.begin(), piece.nonProtecting.end(),
                         [&](const std::string& pattern) { return fits(part, pattern); });
@@ -192,6 +242,7 @@ void loadArmor(Loading& loading, const base::Progress& progress) {
       LoadedPiece piece = loadPiece(loading, systems[s].pieces[p], fmt::format("/armor/{}/pieces/{}", s, p));
       piece.system = s;
       piece.topology = raycast::makeTopology(piece.rig.rest);
+      checkWorn(loading, piece);
       base::append(loading.result.issues, piece.rig.issues);
       loading.result.pieces.push_back(std::move(piece));
     }
@@ -241,8 +292,10 @@ human::Pose turnedPose(const LoadedStudy& study, const study::TurnedPose& wanted
   for (const study::TurnedPose::Turn& turn : wanted.turns) {
     const auto joint = skeleton.find(turn.joint);
     if (!joint) {
-      throw base::InputError(study.file.string(), "",
-                             fmt::format("pose \"{}\": the body has no joint named \"{}\"", pose, turn.joint));
+      throw base::InputError(
+          study.file.string(), "",
+          fmt::format("pose \"{}\": the body has no joint named \"{}\"; `lorica-cli check` on its file lists them",
+                      pose, turn.joint));
     }
     turns.push_back({*joint, turn.degrees});
   }
@@ -285,11 +338,16 @@ NamedPose resolvePose(const LoadedStudy& study, const std::string& name) {
       std::find_if(poses.begin(), poses.end(), [&](const study::Pose& pose) { return pose.name == name; });
   if (found == poses.end()) {
     const auto clip = study::clipPoseNamed(name);
-    if (!clip) {
+    if (!clip && clipNamed(study, name) != nullptr) {
       throw base::InputError(study.file.string(), "",
-                             fmt::format("there is no pose named \"{}\"; give a pose of the study, rest, or "
-                                         "CLIP@SECONDS",
-                                         name));
+                             fmt::format("\"{}\" is a motion clip; say at which time, as in {}@1.5", name, name));
+    }
+    if (!clip) {
+      throw base::InputError(
+          study.file.string(), "",
+          fmt::format(
+              "there is no pose named \"{}\"; give a pose of the study, rest, or a clip at a time such as toe_touch@2",
+              name));
     }
     return {name, clipPose(study, *clip, name)};
   }

@@ -186,9 +186,9 @@ std::string provenanceJson(const LoadedStudy& study, const RunResult& result) {
 }
 
 void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder) {
-  base::writeFileAtomically(folder / "summary.csv", summaryCsv(summaryRows(study, result)));
-  base::writeFileAtomically(folder / "trials.csv", trialsCsv(trialRows(study, result)));
-  base::writeFileAtomically(folder / "provenance.json", provenanceJson(study, result));
+  base::writeFilesAtomically({{folder / "summary.csv", summaryCsv(summaryRows(study, result))},
+                              {folder / "trials.csv", trialsCsv(trialRows(study, result))},
+                              {folder / "provenance.json", provenanceJson(study, result)}});
 }
 
 }  // namespace lorica::analysis

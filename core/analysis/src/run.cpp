@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "lorica/analysis/posed_scene.h"
 #include "lorica/base/error.h"
@@ -44,6 +45,11 @@ std::vector<ShotSource> prepareSources(const LoadedStudy& study, const RunOption
     }
     made.source.halfAngle = shotline::boundingHalfAngle(made.source.position, made.source.target, spans);
     made.solidAngle = shotline::solidAngle(made.source.halfAngle);
+    if (made.source.halfAngle == std::numbers::pi) {
+      issues.push_back({base::Severity::warning, "", wanted.name,
+                        "the source stands so near the body, or in it, that no cone bounds the body; its shots go in "
+                        "every direction"});
+    }
   }
   return sources;
 }

@@ -39,29 +39,70 @@ std::string readFile(const fs::path& path) {
   return bytes;
 }
 
-void writeFileAtomically(const fs::path& path, std::string_view bytes) {
-  std::error_code failure;
-  if (path.has_parent_path()) {
-    fs::create_directories(path.parent_path(), failure);
-  }
+namespace {
+
+fs::path draftOf(const fs::path& path) {
   fs::path draft = path;
   draft += ".part" + std::to_string(::getpid());
-  {
-    std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    stream.flush();
-    if (!stream) {
-      stream.close();
-      fs::remove(draft, failure);
-      throw InputError(path.string(), "", "cannot be written; check that the folder exists, is writable and has room");
+  return draft;
+}
+
+/// Writes the draft of a file, or throws and leaves none.
+void writeDraft(const FileBytes& file) {
+  std::error_code failure;
+  if (file.path.has_parent_path()) {
+    fs::create_directories(file.path.parent_path(), failure);
+  }
+  if (fs::is_directory(file.path, failure)) {
+    throw InputError(file.path.string(), "", "is a folder; a file was to be written there");
+  }
+  std::ofstream stream(draftOf(file.path), std::ios::binary | std::ios::trunc);
+  stream.write(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
+  stream.flush();
+  if (!stream) {
+    stream.close();
+    fs::remove(draftOf(file.path), failure);
+    throw InputError(file.path.string(), "",
+                     "cannot be written; check that the folder exists, is writable and has room");
+  }
+}
+
+}  // namespace
+
+void writeFilesAtomically(const std::vector<FileBytes>& files) {
+  std::error_code ignored;
+  const auto dropDrafts = [&] {
+    for (const FileBytes& file : files) {
+      fs::remove(draftOf(file.path), ignored);
+    }
+  };
+  try {
+    for (const FileBytes& file : files) {
+      writeDraft(file);
+    }
+  } catch (const InputError&) {
+    dropDrafts();
+    throw;
+  }
+  for (const FileBytes& file : files) {
+    std::error_code failure;
+    fs::rename(draftOf(file.path), file.path, failure);
+    if (failure) {
+      dropDrafts();
+      throw InputError(file.path.string(), "", "cannot be replaced: " + failure.message());
     }
   }
-  fs::rename(draft, path, failure);
-  if (failure) {
-    const std::string reason = failure.message();
-    fs::remove(draft, failure);
-    throw InputError(path.string(), "", "cannot be replaced: " + reason);
-  }
+}
+
+void writeFileAtomically(const fs::path& path, std::string_view bytes) {
+  writeFilesAtomically({{path, std::string(bytes)}});
+}
+
+void requireWritableFolder(const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path probe = folder / ".lorica-probe";
+  writeFileAtomically(probe, "");
+  fs::remove(probe, ignored);
 }
 
 }  // namespace lorica::base

@@ -48,6 +48,11 @@ constexpr std::array<std::array<std::size_t, 3>, 8> cornerSteps = {
 
 }  // namespace
 
+double controlPointsAsked(const geometry::Box3d& box, const LatticeOptions& options) {
+  const std::array<int, 3> cells = cellCounts(box.sizes(), options);
+  return (cells[0] + 1.0) * (cells[1] + 1.0) * (cells[2] + 1.0);
+}
+
 Lattice makeLattice(std::span<const Vec3f> positions, const LatticeOptions& options) {
   LORICA_CHECK(!positions.empty(), "a lattice needs vertices");
   const geometry::Box3d box = geometry::bounds(positions);
@@ -63,10 +68,7 @@ Lattice makeLattice(std::span<const Vec3f> positions, const LatticeOptions& opti
                                          static_cast<std::size_t>(lattice.cells[1]),
                                          static_cast<std::size_t>(lattice.cells[2])};
   const Grid grid{{cells[0] + 1, cells[1] + 1, cells[2] + 1}};
-  LORICA_CHECK(
-      static_cast<double>(grid.points[0]) * static_cast<double>(grid.points[1]) * static_cast<double>(grid.points[2]) <=
-          5e7,
-      "at most 5e7 control points");
+  LORICA_CHECK(controlPointsAsked(box, options) <= latticeLimit, "a lattice of at most 5e6 control points");
 
   std::vector<std::uint32_t> cellNumber(cells[0] * cells[1] * cells[2], UINT32_MAX);
   std::vector<std::array<std::size_t, 3>> usedCells;

@@ -45,7 +45,7 @@ std::string trialsCsv(const std::vector<ResultRow>& rows);
 /// whether the run is partial. Holds no time and no thread count: the same run gives the same bytes.
 std::string provenanceJson(const LoadedStudy& study, const RunResult& result);
 
-/// Writes the three files into a folder, each all or nothing. \throw base::InputError
+/// Writes the three files into a folder, all of them or none. \throw base::InputError
 void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder);
 
 }  // namespace lorica::analysis

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace lorica::base {
 
@@ -16,5 +17,18 @@ std::string readFile(const std::filesystem::path& path);
 /// Writes beside `path` and renames over it; makes the folder when it is missing.
 /// \throw InputError when the place cannot be written
 void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+struct FileBytes {
+  std::filesystem::path path;
+  std::string bytes;
+};
+
+/// The same for files that belong together: all drafts are written before the first is renamed.
+/// \throw InputError when one cannot be written; then the old ones stay
+void writeFilesAtomically(const std::vector<FileBytes>& files);
+
+/// Makes the folder when it is missing and tries whether files can be made in it, before long work is done for it.
+/// \throw InputError
+void requireWritableFolder(const std::filesystem::path& folder);
 
 }  // namespace lorica::base

@@ -28,6 +28,12 @@ struct LatticeOptions {
   bool operator==(const LatticeOptions&) const = default;
 };
 
+/// Control points a lattice may have before pruning.
+inline constexpr double latticeLimit = 5e6;
+
+/// How many control points the options ask for around a box, before pruning.
+double controlPointsAsked(const geometry::Box3d& box, const LatticeOptions& options);
+
 /// Bound once to the rest vertices; never changes afterwards.
 struct Lattice {
   geometry::Vec3d origin = geometry::Vec3d::Zero();  ///< low corner, metres
@@ -42,7 +48,7 @@ struct Lattice {
   std::vector<geometry::Vec3f> fraction;  ///< per vertex x_d, y_d, z_d (Eq 11), 0 to 1
 };
 
-/// \pre positions is not empty; cell counts and size are in range
+/// \pre positions is not empty; cell counts and size are in range; controlPointsAsked() is at most latticeLimit
 Lattice makeLattice(std::span<const geometry::Vec3f> positions, const LatticeOptions& options);
 
 /// posed = rest + trilinear blend of the offsets (Eq 12-14). Zero offsets leave every vertex bit for bit.
