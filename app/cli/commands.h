@@ -41,7 +41,7 @@ struct ExportArguments {
 };
 int exportPose(const ExportArguments& arguments);
 
-int upgradeStudy(const std::filesystem::path& study, const std::filesystem::path& out);
+int upgradeStudy(const std::filesystem::path& file, const std::filesystem::path& out);
 
 int runBenchmarks(const std::filesystem::path& json);
 
