@@ -164,7 +164,11 @@ TEST_F(Commands, InterruptStopsWithinASecondAndLeavesAResultThatSaysItIsPartial)
     }
     _exit(127);
   }
-  std::this_thread::sleep_for(std::chrono::seconds(8));
+  // The folder is made when everything is read and the shooting begins.
+  for (int tenths = 0; tenths < 1200 && !exists("out"); ++tenths) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  std::this_thread::sleep_for(std::chrono::seconds(2));
   const auto start = std::chrono::steady_clock::now();
   kill(child, SIGINT);
   int status = 0;
