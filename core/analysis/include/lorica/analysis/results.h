@@ -30,7 +30,7 @@ struct ResultRow {
   std::optional<double> percentOfBodyHits() const;
   /// Protected over any, 0 to 1; none when nothing was hit.
   std::optional<double> coverage() const;
-  /// Wilson, 95 %; none when nothing was hit, or when the shots are not independent draws of equal weight.
+  /// Wilson, 95 %; none when nothing was hit. Both samplers draw shots independently and with equal weight.
   std::optional<stats::Interval> coverageInterval() const;
 };
 
