@@ -144,7 +144,47 @@ TEST_F(Import, ExportsOfTheRestPoseComeBackAsTheSameMeshes) {
   ASSERT_EQ(model.parts.size(), 2U);
   EXPECT_EQ(model.parts[0].name, "body");
   EXPECT_EQ(model.parts[1].name, "heart");
-  EXPECT_EQ(model.parts[1].mesh.positions, loaded.organs[0].rig.rest.positions);
+  EXPECT_EQ(model.parts[1].mesh.positions, loaded.organs[0]->rig.rest.positions);
+}
+
+TEST_F(Import, AddsToAStudyAndKeepsWhatItHas) {
+  ImportRequest first = request();
+  first.organs = {ball("heart", {0, 1, 0}, 0.1)};
+  first.armor = {{"armor", ball("vest", {0, 1, 1.0}, 0.05)}};
+  const study::Study before = importStudy(first, {}).study;
+  const LoadedStudy known = load(before, first.studyFile, {});
+
+  ImportRequest more;
+  more.studyFile = first.studyFile;
+  more.skin = "not read";
+  more.addTo = &before;
+  more.organs = {ball("liver", {0.3, 1, 0}, 0.1), folder_ / "heart.ply"};
+  more.armor = {{"armor", folder_ / "vest.ply"}, {"shield", ball("far", {0, 1, 3.0}, 0.1)}};
+  for (const LoadedStudy* previous : {static_cast<const LoadedStudy*>(nullptr), &known}) {
+    more.previous = previous;
+    const ImportedStudy added = importStudy(more, {});
+    study::Study rest = added.study;
+    ASSERT_EQ(rest.organs.size(), 3U);
+    EXPECT_EQ(rest.organs[1].name, "liver");
+    EXPECT_EQ(rest.organs[2].name, "heart_2");
+    ASSERT_EQ(rest.systems.size(), 2U);
+    ASSERT_EQ(rest.systems[0].pieces.size(), 2U);
+    EXPECT_EQ(rest.systems[0].pieces[1].name, "vest_2");
+    EXPECT_EQ(rest.systems[1].name, "shield");
+    rest.organs.resize(1);
+    rest.systems.resize(1);
+    rest.systems[0].pieces.resize(1);
+    EXPECT_EQ(rest, before) << "nothing else was touched, and no source was added";
+    EXPECT_NO_THROW(load(added.study, first.studyFile, {}));
+    std::vector<std::string> notWorn;
+    for (const base::Issue& issue : added.issues) {
+      EXPECT_NE(issue.place, "heart") << "what was there before is not told again";
+      if (issue.text.find("not worn") != std::string::npos) {
+        notWorn.push_back(issue.place);
+      }
+    }
+    EXPECT_EQ(notWorn, std::vector<std::string>{"far"});
+  }
 }
 
 TEST_F(Import, CheckReportsWhatAnOpenMeshIs) {

@@ -39,11 +39,11 @@ TEST(PosedScene, AtRestHasTheBitsOfEveryRestVertex) {
   };
   EXPECT_TRUE(same(scene.body().skin, sample().body->body().skin.positions));
   for (std::size_t o = 0; o < sample().organs.size(); ++o) {
-    EXPECT_TRUE(same(scene.organ(o, 0), sample().organs[o].rig.rest.positions)) << sample().organs[o].name;
-    EXPECT_TRUE(same(scene.organ(o, 1), sample().organs[o].rig.rest.positions)) << sample().organs[o].name;
+    EXPECT_TRUE(same(scene.organ(o, 0), sample().organs[o]->rig.rest.positions)) << sample().organs[o]->name;
+    EXPECT_TRUE(same(scene.organ(o, 1), sample().organs[o]->rig.rest.positions)) << sample().organs[o]->name;
   }
   for (std::size_t p = 0; p < sample().pieces.size(); ++p) {
-    EXPECT_TRUE(same(scene.piece(p), sample().pieces[p].rig.rest.positions)) << sample().pieces[p].name;
+    EXPECT_TRUE(same(scene.piece(p), sample().pieces[p]->rig.rest.positions)) << sample().pieces[p]->name;
   }
 }
 

@@ -73,8 +73,8 @@ BENCHMARK(poseFrame)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void bindOrgans(benchmark::State& state) {
   for (auto _ : state) {
-    for (const analysis::LoadedOrgan& organ : sample().organs) {
-      benchmark::DoNotOptimize(viscera::bindOrgan(organ.rig.rest, organ.name, *sample().body, {}, {2}));
+    for (const auto& organ : sample().organs) {
+      benchmark::DoNotOptimize(viscera::bindOrgan(organ->rig.rest, organ->name, *sample().body, {}, {2}));
     }
   }
 }

@@ -52,7 +52,11 @@ inline const char* const fullStudy = R"({
   "models": ["static_skin", "dynamic_thesis"],
   "trials": 7,
   "seed": 18446744073709551615,
-  "site_spacing_mm": 25
+  "site_spacing_mm": 25,
+  "display": [
+    {"structure": "heart", "visible": false, "colour": "#c02818", "opacity": 0.5},
+    {"structure": "body", "visible": true}
+  ]
 })";
 
 /// The error that parsing ends in; a test failure and an empty error when there is none.

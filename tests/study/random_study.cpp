@@ -191,6 +191,21 @@ Source anySource(std::size_t index) {
   return source;
 }
 
+Display anyDisplay(std::size_t index) {
+  Display display;
+  display.structure = uniqueName("structure", index);
+  display.visible = coin();
+  if (coin()) {
+    display.colour = {*rc::gen::arbitrary<std::uint8_t>(), *rc::gen::arbitrary<std::uint8_t>(),
+                      *rc::gen::arbitrary<std::uint8_t>()};
+  }
+  if (coin()) {
+    const double share = std::abs(anyNumber(1.0));
+    display.opacity = share - std::floor(share);
+  }
+  return display;
+}
+
 Study makeStudy() {
   Study study;
   study.name = coin() ? uniqueName("study", 0) : "";
@@ -218,6 +233,7 @@ Study makeStudy() {
   study.trials = oneOf<std::uint32_t>({1, 5, 100000});
   study.seed = *rc::gen::arbitrary<std::uint64_t>();
   study.siteSpacing = anyMetresOfMillimetres(5.0, 500.0);
+  study.displays = several<Display>(anyDisplay);
   return study;
 }
 

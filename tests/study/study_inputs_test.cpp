@@ -65,6 +65,33 @@ TEST_F(Inputs, AreRelativeToTheStudy) {
   EXPECT_EQ(resolve(input, "/somewhere/s.lorica.json"), "/models/heart.stl");
 }
 
+TEST_F(Inputs, AreTheSameFilesForAStudyRebasedToAnotherFolder) {
+  const Study study = studyOf({"body.glb", "../meshes/./heart.stl", "/models/liver.stl", "organs/sub/lung.stl"});
+  const std::filesystem::path from = "/home/studies/a.lorica.json";
+  for (const std::filesystem::path to :
+       {"/home/studies/deep/er/b.lorica.json", "/home/b.lorica.json", "/b.lorica.json", "/home/meshes/b.lorica.json",
+        "/home/studies/../other/b.lorica.json", "relative/b.lorica.json"}) {
+    const Study moved = rebased(study, from, to);
+    const std::vector<InputFile> before = inputFiles(study);
+    const std::vector<InputFile> after = inputFiles(moved);
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      EXPECT_EQ(resolve(after[i], to), resolve(before[i], from)) << to;
+      EXPECT_EQ(std::filesystem::path(after[i].path).is_absolute(), before[i].path.starts_with('/')) << after[i].path;
+    }
+    EXPECT_NE(after[0].path, before[0].path);
+    EXPECT_EQ(after[2].path, before[2].path);
+  }
+  EXPECT_EQ(inputFiles(rebased(study, from, "/home/b.lorica.json"))[0].path, "studies/body.glb");
+  EXPECT_EQ(inputFiles(rebased(study, from, "/home/meshes/b.lorica.json"))[1].path, "heart.stl");
+}
+
+TEST_F(Inputs, StayAsTheyAreWrittenWhenTheStudyStaysInItsFolder) {
+  const Study study = studyOf({"body.glb", "../meshes/./heart.stl", "./liver.stl"});
+  EXPECT_EQ(rebased(study, "/home/studies/a.lorica.json", "/home/studies/b.lorica.json"), study);
+  EXPECT_EQ(rebased(study, "/home/studies/a.lorica.json", "/home/x/../studies/b.lorica.json"), study);
+}
+
 TEST_F(Inputs, PassWhenTheyAreAsTheyWere) {
   put("a.stl", "abc");
   put("b.stl", "def");

@@ -58,6 +58,13 @@ TEST(StudyReader, ReadsEveryKey) {
   EXPECT_EQ(study.trials, 7U);
   EXPECT_EQ(study.seed, 18446744073709551615U);
   EXPECT_EQ(study.siteSpacing, 0.025);
+
+  ASSERT_EQ(study.displays.size(), 2U);
+  EXPECT_EQ(study.displays[0].structure, "heart");
+  EXPECT_FALSE(study.displays[0].visible);
+  EXPECT_EQ(study.displays[0].colour, (std::array<std::uint8_t, 3>{0xc0, 0x28, 0x18}));
+  EXPECT_EQ(study.displays[0].opacity, 0.5);
+  EXPECT_EQ(study.displays[1], (Display{"body", true, std::nullopt, std::nullopt}));
 }
 
 TEST(StudyReader, GivesTheDocumentedDefaults) {
@@ -143,6 +150,9 @@ TEST(StudyReader, TellsTheWrongTypeOrValueAtItsPointer) {
        R"(expected "static_joint", "static_skin", "dynamic_thesis" or "dynamic", found "static")"},
       {"/trials", 100001, "expected a whole number from 1 to 100000, found 100001"},
       {"/seed", 1.5, "expected a whole number from 0 to 18446744073709551615, found 1.5"},
+      {"/display/0/colour", "red", "expected a colour such as \"#c02818\", found \"red\""},
+      {"/display/0/opacity", 1.5, "expected an opacity from 0 to 1, found 1.5"},
+      {"/display/0/visible", "no", "expected true or false, found \"no\""},
       {"/site_spacing_mm", 4.9, "expected a spacing in mm from 5 to 500, found 4.9"},
       {"/site_spacing_mm", 501, "expected a spacing in mm from 5 to 500, found 501"},
   };

@@ -47,7 +47,8 @@ const std::map<std::string, std::span<const std::string_view>>& readerObjects() 
                                                                                 {"/$defs/piece", pieceKeys},
                                                                                 {"/$defs/pose", poseKeys},
                                                                                 {"/$defs/turn", turnKeys},
-                                                                                {"/$defs/source", sourceKeys}};
+                                                                                {"/$defs/source", sourceKeys},
+                                                                                {"/$defs/display", displayKeys}};
   return objects;
 }
 

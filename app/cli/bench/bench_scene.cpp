@@ -76,13 +76,13 @@ analysis::LoadedStudy refinedSample(base::Threads threads) {
   study.clips = plain.clips;
   parenting::RigOptions options;
   options.thesisSites = false;
-  study.body = std::make_unique<const parenting::BodyRig>(std::move(body), options, threads);
+  study.body = std::make_shared<const parenting::BodyRig>(std::move(body), options, threads);
   for (const manikin::PlainOrgan& plainOrgan : plain.organs) {
     analysis::LoadedOrgan organ;
     organ.name = plainOrgan.name;
     organ.rig = viscera::bindOrgan(refine(plainOrgan.mesh).mesh, plainOrgan.name, *study.body, {}, threads);
     organ.topology = raycast::makeTopology(organ.rig.rest);
-    study.organs.push_back(std::move(organ));
+    study.organs.push_back(std::make_shared<const analysis::LoadedOrgan>(std::move(organ)));
   }
   study.study.systems.emplace_back().name = "plates";
   for (const armor::PlateSide side : {armor::PlateSide::front, armor::PlateSide::back}) {
@@ -93,7 +93,8 @@ analysis::LoadedStudy refinedSample(base::Threads threads) {
     piece.rig = armor::bindPiece(refine(placed.mesh).mesh, piece.name, armor::Carriage::rigid, *study.body, nullptr,
                                  nullptr, threads);
     piece.topology = raycast::makeTopology(piece.rig.rest);
-    study.pieces.push_back(std::move(piece));
+    study.pieces.push_back(std::make_shared<const analysis::LoadedPiece>(std::move(piece)));
+    study.systemOfPiece.push_back(0);
   }
   return study;
 }

@@ -26,14 +26,14 @@ std::string exportPose(const LoadedStudy& study, const std::string& pose, viscer
   std::vector<io::SceneMesh> scene;
   scene.push_back({"body", "body", posed.body().skin, study.body->body().skin.triangles, {0.80F, 0.61F, 0.50F, 0.35F}});
   for (std::size_t o = 0; o < study.organs.size(); ++o) {
-    scene.push_back({study.organs[o].name, "organ", posed.organ(o, 0), study.organs[o].rig.rest.triangles,
+    scene.push_back({study.organs[o]->name, "organ", posed.organ(o, 0), study.organs[o]->rig.rest.triangles,
                      palette[o % palette.size()]});
   }
   for (std::size_t p = 0; p < study.pieces.size(); ++p) {
-    scene.push_back({study.pieces[p].name,
+    scene.push_back({study.pieces[p]->name,
                      "armor",
                      posed.piece(p),
-                     study.pieces[p].rig.rest.triangles,
+                     study.pieces[p]->rig.rest.triangles,
                      {0.23F, 0.26F, 0.20F, 1.0F}});
   }
   return io::sceneBytes(scene, format);

@@ -52,6 +52,7 @@ class Names {
     }
     return name;
   }
+  void take(const std::string& name) { taken_.insert(name); }
 
  private:
   std::set<std::string> taken_{"body", "miss", "armor", "organs"};
@@ -71,6 +72,9 @@ class Importer {
   void addArmor(const ArmorRequest& armor);
   study::ArmorPiece pieceFrom(const fs::path& file);
   void addSource(const parenting::BodyRig& body);
+  void startFrom(const study::Study& study);
+  void noteWhatIsOdd(const LoadedStudy& loaded, base::Threads threads);
+  void noteStrays(const LoadedPiece& piece, const parenting::BodyRig& body, base::Threads threads);
   void note(const std::string& file, const std::string& place, const std::string& text) {
     result_.issues.push_back({base::Severity::note, file, place, text});
   }
@@ -78,6 +82,7 @@ class Importer {
   const ImportRequest& request_;
   MeshLibrary library_;
   Names names_;
+  std::set<std::string> added_;  ///< names of the pieces that were not there before
   ImportedStudy result_;
 };
 
@@ -192,12 +197,14 @@ void Importer::addArmor(const ArmorRequest& armor) {
   }
   if (const auto* file = std::get_if<fs::path>(&armor.from)) {
     system->pieces.push_back(pieceFrom(*file));
+    added_.insert(system->pieces.back().name);
     return;
   }
   study::ArmorPiece plate;
   plate.mesh.from = std::get<study::Builtin>(armor.from);
   plate.name = names_.unique(std::get<study::Builtin>(armor.from).name);
   plate.carriage = study::Carriage::rigid;
+  added_.insert(plate.name);
   system->pieces.push_back(std::move(plate));
 }
 
@@ -211,9 +218,62 @@ void Importer::addSource(const parenting::BodyRig& body) {
   result_.study.sources.push_back(std::move(front));
 }
 
+void Importer::startFrom(const study::Study& study) {
+  result_.study = study;
+  for (const study::Organ& organ : study.organs) {
+    names_.take(organ.name);
+  }
+  for (const study::ArmorSystem& system : study.systems) {
+    for (const study::ArmorPiece& piece : system.pieces) {
+      names_.take(piece.name);
+    }
+  }
+}
+
+void Importer::noteStrays(const LoadedPiece& piece, const parenting::BodyRig& body, base::Threads threads) {
+  const parenting::Strays strays = parenting::insideSkin(piece.rig.rest.positions, body, threads);
+  if (strays.strayed > 0) {
+    result_.issues.push_back({base::Severity::warning, "", piece.name,
+                              fmt::format("reaches into the body at rest: {} of {} vertices are inside, the deepest "
+                                          "by {:.1f} mm",
+                                          strays.strayed, strays.points, 1000.0 * strays.farthest)});
+  }
+}
+
+void Importer::noteWhatIsOdd(const LoadedStudy& loaded, base::Threads threads) {
+  if (request_.addTo == nullptr) {
+    base::append(result_.issues, loaded.issues);
+    for (const auto& piece : loaded.pieces) {
+      noteStrays(*piece, *loaded.body, threads);
+    }
+    return;
+  }
+  // What the study had is known to its owner: only what is new is told.
+  for (std::size_t i = request_.addTo->organs.size(); i < loaded.organs.size(); ++i) {
+    base::append(result_.issues, loaded.organs[i]->issues);
+  }
+  for (const auto& piece : loaded.pieces) {
+    if (added_.contains(piece->name)) {
+      base::append(result_.issues, piece->issues);
+      noteStrays(*piece, *loaded.body, threads);
+    }
+  }
+  const std::vector<study::InputFile> known = study::inputFiles(*request_.addTo);
+  for (const base::Issue& issue : loaded.fileIssues) {
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const study::InputFile& input) { return input.path == issue.file; })) {
+      result_.issues.push_back(issue);
+    }
+  }
+}
+
 ImportedStudy Importer::import(base::Threads threads, const base::Progress& progress) {
-  result_.study.name = request_.studyFile.stem().stem().string();
-  addSkin();
+  if (request_.addTo != nullptr) {
+    startFrom(*request_.addTo);
+  } else {
+    result_.study.name = request_.studyFile.stem().stem().string();
+    addSkin();
+  }
   for (std::size_t i = 0; i < request_.organs.size(); ++i) {
     progress.check();
     addOrgan(request_.organs[i]);
@@ -226,18 +286,13 @@ ImportedStudy Importer::import(base::Threads threads, const base::Progress& prog
   // Loading the result shows that it holds together, and finds what does not fit.
   study::Study trial = result_.study;
   trial.sources.clear();
-  const LoadedStudy loaded = load(std::move(trial), request_.studyFile, threads, progress.part(0.3, 1.0));
-  addSource(*loaded.body);
-  base::append(result_.issues, loaded.issues);
-  for (const LoadedPiece& piece : loaded.pieces) {
-    const parenting::Strays strays = parenting::insideSkin(piece.rig.rest.positions, *loaded.body, threads);
-    if (strays.strayed > 0) {
-      result_.issues.push_back({base::Severity::warning, "", piece.name,
-                                fmt::format("reaches into the body at rest: {} of {} vertices are inside, the deepest "
-                                            "by {:.1f} mm",
-                                            strays.strayed, strays.points, 1000.0 * strays.farthest)});
-    }
+  LoadOptions options;
+  options.previous = request_.previous;
+  const LoadedStudy loaded = load(std::move(trial), request_.studyFile, threads, progress.part(0.3, 1.0), options);
+  if (request_.addTo == nullptr) {
+    addSource(*loaded.body);
   }
+  noteWhatIsOdd(loaded, threads);
   return std::move(result_);
 }
 

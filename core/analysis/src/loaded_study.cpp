@@ -13,6 +13,8 @@
 
 namespace lorica::analysis {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 using study::Builtin;
@@ -23,6 +25,8 @@ struct Loading {
   LoadedStudy& result;
   MeshLibrary& library;
   base::Threads threads;
+  /// Of an earlier loading on the same body; null when there is none.
+  const LoadedStudy* previous = nullptr;
 
   std::string fileName() const { return result.file.string(); }
   [[noreturn]] void fail(const std::string& place, const std::string& text) const {
@@ -53,7 +57,7 @@ parenting::Body loadBody(Loading& loading) {
       throw base::InputError(input.path, "", "none of the parts that make the body is skinned to its skeleton");
     }
     if (merged.unskinnedParts > 0) {
-      loading.result.issues.push_back(
+      loading.result.bodyIssues.push_back(
           {base::Severity::warning, input.path, "",
            fmt::format("{} part(s) without skin weights are not part of the body", merged.unskinnedParts)});
     }
@@ -91,7 +95,7 @@ geometry::TriangleMesh loadOrganMesh(Loading& loading, const study::Organ& organ
 }
 
 /// Says when an organ reaches out of the skin at rest, and by how much.
-void checkInside(Loading& loading, const LoadedOrgan& organ) {
+void checkInside(const Loading& loading, LoadedOrgan& organ) {
   const parenting::BodyRig& body = *loading.result.body;
   const bool skinCloses = std::all_of(body.skinTopology()->closed.begin(), body.skinTopology()->closed.end(),
                                       [](bool closed) { return closed; });
@@ -100,50 +104,79 @@ void checkInside(Loading& loading, const LoadedOrgan& organ) {
   }
   const parenting::Strays strays = parenting::outsideSkin(organ.rig.rest.positions, body, loading.threads);
   if (strays.strayed > 0) {
-    loading.result.issues.push_back(
+    organ.issues.push_back(
         {base::Severity::warning, "", organ.name,
          fmt::format("is not inside the skin at rest: {} of {} vertices are outside, the farthest by {:.1f} mm",
                      strays.strayed, strays.points, 1000.0 * strays.farthest)});
   }
 }
 
+LoadedOrgan loadOrgan(Loading& loading, const study::Organ& organ, const std::string& place) {
+  viscera::OrganOptions options;
+  options.lattice = organ.lattice;
+  if (organ.joint) {
+    const auto& skeleton = loading.result.body->body().skeleton;
+    options.joint = skeleton ? skeleton->find(*organ.joint) : std::nullopt;
+    if (!options.joint) {
+      loading.fail(place + "/joint", fmt::format("the body has no joint named \"{}\"", *organ.joint));
+    }
+  }
+  geometry::TriangleMesh mesh = loadOrganMesh(loading, organ, place);
+  const double asked = viscera::controlPointsAsked(geometry::bounds(mesh.positions), options.lattice);
+  if (asked > viscera::latticeLimit) {
+    loading.fail(place + "/lattice",
+                 fmt::format("asks for {:.3g} control points; at most {:.0g} are possible, so take larger cells", asked,
+                             viscera::latticeLimit));
+  }
+  LoadedOrgan loaded;
+  loaded.name = organ.name;
+  loaded.rig = viscera::bindOrgan(std::move(mesh), organ.name, *loading.result.body, options, loading.threads);
+  loaded.topology = raycast::makeTopology(loaded.rig.rest);
+  loaded.issues = loaded.rig.issues;
+  checkInside(loading, loaded);
+  return loaded;
+}
+
+/// Whether two mesh sources of two studies are the same bytes read in the same way.
+bool sameMesh(const study::MeshSource& a, const fs::path& fileA, const study::MeshSource& b, const fs::path& fileB) {
+  const auto* inputA = std::get_if<InputFile>(&a.from);
+  const auto* inputB = std::get_if<InputFile>(&b.from);
+  if (inputA == nullptr || inputB == nullptr) {
+    return a == b;
+  }
+  return study::resolve(*inputA, fileA) == study::resolve(*inputB, fileB) && !inputA->sha256.empty() &&
+         inputA->sha256 == inputB->sha256 && inputA->units == inputB->units && inputA->up == inputB->up &&
+         a.parts == b.parts;
+}
+
+std::shared_ptr<const LoadedOrgan> reusableOrgan(const Loading& loading, const study::Organ& organ) {
+  const LoadedStudy* previous = loading.previous;
+  for (std::size_t i = 0; previous != nullptr && i < previous->organs.size(); ++i) {
+    const study::Organ& known = previous->study.organs[i];
+    if (known.name == organ.name && known.joint == organ.joint && known.lattice == organ.lattice &&
+        sameMesh(known.mesh, previous->file, organ.mesh, loading.result.file)) {
+      return previous->organs[i];
+    }
+  }
+  return nullptr;
+}
+
 void loadOrgans(Loading& loading, const base::Progress& progress) {
   const auto& organs = loading.result.study.organs;
   for (std::size_t i = 0; i < organs.size(); ++i) {
     progress.check();
-    const study::Organ& organ = organs[i];
-    const std::string place = fmt::format("/organs/{}", i);
-    viscera::OrganOptions options;
-    options.lattice = organ.lattice;
-    if (organ.joint) {
-      const auto& skeleton = loading.result.body->body().skeleton;
-      options.joint = skeleton ? skeleton->find(*organ.joint) : std::nullopt;
-      if (!options.joint) {
-        loading.fail(place + "/joint", fmt::format("the body has no joint named \"{}\"", *organ.joint));
-      }
+    std::shared_ptr<const LoadedOrgan> organ = reusableOrgan(loading, organs[i]);
+    if (organ == nullptr) {
+      organ = std::make_shared<const LoadedOrgan>(loadOrgan(loading, organs[i], fmt::format("/organs/{}", i)));
     }
-    geometry::TriangleMesh mesh = loadOrganMesh(loading, organ, place);
-    const double asked = viscera::controlPointsAsked(geometry::bounds(mesh.positions), options.lattice);
-    if (asked > viscera::latticeLimit) {
-      loading.fail(place + "/lattice",
-                   fmt::format("asks for {:.3g} control points; at most {:.0g} are possible, so take larger cells",
-                               asked, viscera::latticeLimit));
-    }
-    LoadedOrgan loaded;
-    loaded.name = organ.name;
-    loaded.injuryClass = organ.injuryClass;
-    loaded.rig = viscera::bindOrgan(std::move(mesh), organ.name, *loading.result.body, options, loading.threads);
-    loaded.topology = raycast::makeTopology(loaded.rig.rest);
-    base::append(loading.result.issues, loaded.rig.issues);
-    checkInside(loading, loaded);
-    loading.result.organs.push_back(std::move(loaded));
+    loading.result.organs.push_back(std::move(organ));
     progress.report(static_cast<double>(i + 1) / static_cast<double>(organs.size()));
   }
 }
 
 /// A generated plate, laid on the body.
-geometry::TriangleMesh loadPlate(Loading& loading, const study::ArmorPiece& piece, const Builtin& builtin,
-                                 const std::string& place) {
+geometry::TriangleMesh loadPlate(const Loading& loading, const study::ArmorPiece& piece, const Builtin& builtin,
+                                 const std::string& place, base::Issues& issues) {
   if (builtin.name != "front_plate" && builtin.name != "back_plate") {
     loading.fail(place + "/builtin", fmt::format("there is no built-in armor named \"{}\"; there are \"front_plate\" "
                                                  "and \"back_plate\"",
@@ -156,13 +189,13 @@ geometry::TriangleMesh loadPlate(Loading& loading, const study::ArmorPiece& piec
   for (base::Issue& issue : placed.issues) {
     issue.place = issue.place.empty() ? piece.name : issue.place;
   }
-  base::append(loading.result.issues, std::move(placed.issues));
+  base::append(issues, std::move(placed.issues));
   return std::move(placed.mesh);
 }
 
 /// A pattern that fits no part is a slip that would count a strap as armor.
-void warnOfIdlePatterns(Loading& loading, const study::ArmorPiece& piece, const io::Model& model,
-                        const std::string& place) {
+void warnOfIdlePatterns(const study::ArmorPiece& piece, const io::Model& model, const std::string& place,
+                        base::Issues& issues) {
   for (std::size_t n = 0; n < piece.nonProtecting.size(); ++n) {
     const std::string& pattern = piece.nonProtecting[n];
     if (std::any_of(model.parts.begin(), model.parts.end(),
@@ -174,15 +207,14 @@ void warnOfIdlePatterns(Loading& loading, const study::ArmorPiece& piece, const 
     for (std::size_t p = 0; p < std::min(shown, model.parts.size()); ++p) {
       names.push_back(model.parts[p].name);
     }
-    loading.result.issues.push_back(
-        {base::Severity::warning, "", fmt::format("{}/non_protecting/{}", place, n),
-         fmt::format("\"{}\" names no part of the piece; its parts are {}{}", pattern, fmt::join(names, ", "),
-                     model.parts.size() > shown ? " and others" : "")});
+    issues.push_back({base::Severity::warning, "", fmt::format("{}/non_protecting/{}", place, n),
+                      fmt::format("\"{}\" names no part of the piece; its parts are {}{}", pattern,
+                                  fmt::join(names, ", "), model.parts.size() > shown ? " and others" : "")});
   }
 }
 
 /// Says when a piece hangs in the air: most of it is far from the body.
-void checkWorn(Loading& loading, const LoadedPiece& piece) {
+void checkWorn(const Loading& loading, LoadedPiece& piece) {
   constexpr std::size_t looks = 1000;
   constexpr double far = 0.15;
   const geometry::Positions& positions = piece.rig.rest.positions;
@@ -195,7 +227,7 @@ void checkWorn(Loading& loading, const LoadedPiece& piece) {
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   if (*middle > far) {
-    loading.result.issues.push_back(
+    piece.issues.push_back(
         {base::Severity::warning, "", piece.name,
          fmt::format("is not worn: half of it is more than {:.0f} mm from the skin at rest; check its place and unit",
                      1000.0 * *middle)});
@@ -206,14 +238,14 @@ LoadedPiece loadPiece(Loading& loading, const study::ArmorPiece& piece, const st
   LoadedPiece loaded;
   loaded.name = piece.name;
   if (const auto* builtin = std::get_if<Builtin>(&piece.mesh.from)) {
-    loaded.rig = armor::bindPiece(loadPlate(loading, piece, *builtin, place), piece.name, piece.carriage,
+    loaded.rig = armor::bindPiece(loadPlate(loading, piece, *builtin, place, loaded.issues), piece.name, piece.carriage,
                                   *loading.result.body, nullptr, nullptr, loading.threads);
     return loaded;
   }
   const InputFile& input = std::get<InputFile>(piece.mesh.from);
   const io::Model& model = loading.library.file(input);
   MeshLibrary::checkParts(piece.mesh, model, input.path);
-  warnOfIdlePatterns(loading, piece, model, place);
+  warnOfIdlePatterns(piece, model, place, loaded.issues);
   const auto protects = [&](const std::string& part) {
     return std::none_of(piece.nonProtecting.begin(), piece.nonProtecting.end(),
                         [&](const std::string& pattern) { return fits(part, pattern); });
@@ -234,17 +266,36 @@ LoadedPiece loadPiece(Loading& loading, const study::ArmorPiece& piece, const st
   return loaded;
 }
 
+std::shared_ptr<const LoadedPiece> reusablePiece(const Loading& loading, const study::ArmorPiece& piece) {
+  const LoadedStudy* previous = loading.previous;
+  std::size_t index = 0;
+  for (std::size_t s = 0; previous != nullptr && s < previous->study.systems.size(); ++s) {
+    for (const study::ArmorPiece& known : previous->study.systems[s].pieces) {
+      if (known.name == piece.name && known.carriage == piece.carriage && known.nonProtecting == piece.nonProtecting &&
+          sameMesh(known.mesh, previous->file, piece.mesh, loading.result.file)) {
+        return previous->pieces[index];
+      }
+      ++index;
+    }
+  }
+  return nullptr;
+}
+
 void loadArmor(Loading& loading, const base::Progress& progress) {
   const auto& systems = loading.result.study.systems;
   for (std::size_t s = 0; s < systems.size(); ++s) {
     for (std::size_t p = 0; p < systems[s].pieces.size(); ++p) {
       progress.check();
-      LoadedPiece piece = loadPiece(loading, systems[s].pieces[p], fmt::format("/armor/{}/pieces/{}", s, p));
-      piece.system = s;
-      piece.topology = raycast::makeTopology(piece.rig.rest);
-      checkWorn(loading, piece);
-      base::append(loading.result.issues, piece.rig.issues);
+      std::shared_ptr<const LoadedPiece> piece = reusablePiece(loading, systems[s].pieces[p]);
+      if (piece == nullptr) {
+        LoadedPiece made = loadPiece(loading, systems[s].pieces[p], fmt::format("/armor/{}/pieces/{}", s, p));
+        made.topology = raycast::makeTopology(made.rig.rest);
+        checkWorn(loading, made);
+        base::append(made.issues, made.rig.issues);
+        piece = std::make_shared<const LoadedPiece>(std::move(made));
+      }
       loading.result.pieces.push_back(std::move(piece));
+      loading.result.systemOfPiece.push_back(s);
     }
     progress.report(static_cast<double>(s + 1) / static_cast<double>(systems.size()));
   }
@@ -304,28 +355,93 @@ human::Pose turnedPose(const LoadedStudy& study, const study::TurnedPose& wanted
 
 }  // namespace
 
-LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Threads threads,
-                 const base::Progress& progress) {
+namespace {
+
+/// Whether an earlier loading read this input, so that its hash is known to be right.
+bool wasRead(const InputFile& input, const fs::path& file, const LoadedStudy& previous) {
+  const std::vector<InputFile> known = study::inputFiles(previous.study);
+  return !input.sha256.empty() && std::any_of(known.begin(), known.end(), [&](const InputFile& other) {
+    return other.sha256 == input.sha256 && study::resolve(other, previous.file) == study::resolve(input, file);
+  });
+}
+
+void checkHashes(const study::Study& study, const fs::path& file, const LoadedStudy* previous) {
+  const std::vector<InputFile> inputs = study::inputFiles(study);
+  if (previous != nullptr && std::all_of(inputs.begin(), inputs.end(),
+                                         [&](const InputFile& input) { return wasRead(input, file, *previous); })) {
+    return;
+  }
   for (const base::Issue& issue : study::checkInputs(study, file)) {
     throw base::InputError(issue.file, issue.place, issue.text);
   }
+}
+
+/// Issues of files that were not read again but are still part of the study, then those just found.
+base::Issues mergedFileIssues(const LoadedStudy& result, const LoadedStudy* previous, base::Issues found) {
+  base::Issues merged;
+  const std::vector<InputFile> inputs = study::inputFiles(result.study);
+  for (const base::Issue& issue : previous != nullptr ? previous->fileIssues : base::Issues{}) {
+    const bool stillUsed =
+        std::any_of(inputs.begin(), inputs.end(), [&](const InputFile& input) { return input.path == issue.file; });
+    const bool readAgain =
+        std::any_of(found.begin(), found.end(), [&](const base::Issue& other) { return other.file == issue.file; });
+    if (stillUsed && !readAgain) {
+      merged.push_back(issue);
+    }
+  }
+  base::append(merged, std::move(found));
+  return merged;
+}
+
+bool needsThesisSites(const study::Study& study, const LoadOptions& options) {
+  const auto& models = study.models;
+  return options.allModels ||
+         std::find(models.begin(), models.end(), viscera::OrganModel::dynamicThesis) != models.end();
+}
+
+bool sameBody(const LoadedStudy& result, const LoadedStudy& previous, bool thesisSites) {
+  return result.study.siteSpacing == previous.study.siteSpacing &&
+         (!thesisSites || needsThesisSites(previous.study, {}) || !previous.body->thesisSites().empty()) &&
+         sameMesh(result.study.human, result.file, previous.study.human, previous.file);
+}
+
+}  // namespace
+
+LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Threads threads,
+                 const base::Progress& progress, const LoadOptions& options) {
+  checkHashes(study, file, options.previous);
   progress.report(0.05);
   LoadedStudy result;
   result.study = std::move(study);
   result.file = file;
   MeshLibrary library(file);
   Loading loading{result, library, threads};
-  parenting::Body body = loadBody(loading);
-  progress.report(0.25);
-  const auto& models = result.study.models;
-  parenting::RigOptions options;
-  options.siteSpacing = result.study.siteSpacing;
-  options.thesisSites = std::find(models.begin(), models.end(), viscera::OrganModel::dynamicThesis) != models.end();
-  result.body = std::make_unique<const parenting::BodyRig>(std::move(body), options, threads, progress.part(0.25, 0.5));
-  base::append(result.issues, result.body->issues());
+  const bool thesisSites = needsThesisSites(result.study, options);
+  if (options.previous != nullptr && sameBody(result, *options.previous, thesisSites)) {
+    loading.previous = options.previous;
+    result.body = options.previous->body;
+    result.clips = options.previous->clips;
+    result.bodyIssues = options.previous->bodyIssues;
+  } else {
+    parenting::Body body = loadBody(loading);
+    progress.report(0.25);
+    parenting::RigOptions rig;
+    rig.siteSpacing = result.study.siteSpacing;
+    rig.thesisSites = thesisSites;
+    result.body = std::make_shared<const parenting::BodyRig>(std::move(body), rig, threads, progress.part(0.25, 0.5));
+    base::append(result.bodyIssues, result.body->issues());
+  }
   loadOrgans(loading, progress.part(0.5, 0.85));
   loadArmor(loading, progress.part(0.85, 1.0));
-  base::append(result.issues, library.takeIssues());
+  result.fileIssues = mergedFileIssues(result, loading.previous, library.takeIssues());
+  base::append(result.issues, result.bodyIssues);
+  for (const auto& organ : result.organs) {
+    base::append(result.issues, organ->issues);
+  }
+  for (const auto& piece : result.pieces) {
+    base::append(result.issues, piece->issues);
+  }
+  base::append(result.issues, result.fileIssues);
   return result;
 }
 

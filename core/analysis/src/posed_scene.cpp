@@ -5,23 +5,23 @@ namespace lorica::analysis {
 PosedScene::PosedScene(const LoadedStudy& study, std::vector<viscera::OrganModel> models,
                        const std::optional<human::Pose>& pose, raycast::SceneUse use, base::Threads threads)
     : study_(&study), models_(std::move(models)), scene_(use) {
-  for (const LoadedPiece& piece : study.pieces) {
-    pieces_.emplace_back(piece.rig.rest.positions.size());
+  for (const auto& piece : study.pieces) {
+    pieces_.emplace_back(piece->rig.rest.positions.size());
   }
   for (std::size_t m = 0; m < models_.size(); ++m) {
-    for (const LoadedOrgan& organ : study.organs) {
-      organs_.emplace_back(organ.rig.rest.positions.size());
+    for (const auto& organ : study.organs) {
+      organs_.emplace_back(organ->rig.rest.positions.size());
     }
   }
   deform(pose, threads);
 
   scene_.add(body_.skin, study.body->skinTopology());
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
-    scene_.add(pieces_[p], study.pieces[p].topology);
-    layout_.pieceSystem.push_back(static_cast<std::uint32_t>(study.pieces[p].system + 1));
+    scene_.add(pieces_[p], study.pieces[p]->topology);
+    layout_.pieceSystem.push_back(static_cast<std::uint32_t>(study.systemOfPiece[p] + 1));
   }
   for (std::size_t slot = 0; slot < organs_.size(); ++slot) {
-    scene_.add(organs_[slot], study.organs[slot % study.organs.size()].topology);
+    scene_.add(organs_[slot], study.organs[slot % study.organs.size()]->topology);
   }
   scene_.build();
   const human::BodyRegions& regions = study.body->body().regions;
@@ -37,10 +37,10 @@ void PosedScene::deform(const std::optional<human::Pose>& pose, base::Threads th
   body.poseInto(pose, threads, body_);
   const std::vector<human::SkinningDelta> deltas = armor::pieceDeltas(body, pose);
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
-    armor::posePiece(study_->pieces[p].rig, body_, deltas, pieces_[p], threads);
+    armor::posePiece(study_->pieces[p]->rig, body_, deltas, pieces_[p], threads);
   }
   for (std::size_t slot = 0; slot < organs_.size(); ++slot) {
-    const LoadedOrgan& organ = study_->organs[slot % study_->organs.size()];
+    const LoadedOrgan& organ = *study_->organs[slot % study_->organs.size()];
     viscera::poseOrgan(organ.rig, models_[slot / study_->organs.size()], body, body_, organs_[slot], threads);
   }
 }

@@ -62,11 +62,11 @@ void appendBlock(std::vector<ResultRow>& rows, const LoadedStudy& study, ResultR
     row(regions[r], "region", "", tally.region(r, system));
   }
   for (std::size_t o = 0; o < study.organs.size(); ++o) {
-    row(study.organs[o].name, "organ", study.organs[o].injuryClass, tally.organ(o, model, system));
+    row(study.organs[o]->name, "organ", study.study.organs[o].injuryClass, tally.organ(o, model, system));
   }
   for (std::size_t p = 0; p < study.pieces.size(); ++p) {
-    if (study.pieces[p].system + 1 == system) {
-      row(study.pieces[p].name, "armor", "", tally.piece(p));
+    if (study.systemOfPiece[p] + 1 == system) {
+      row(study.pieces[p]->name, "armor", "", tally.piece(p));
     }
   }
   row("armor", "aggregate", "", tally.anyArmor(system));

@@ -8,48 +8,55 @@
 #include "lorica/analysis/posed_scene.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
+#include "prepare_source.h"
 
 namespace lorica::analysis {
 
 using geometry::Vec3f;
+
+ShotSource prepareSource(const LoadedStudy& study, std::size_t source, std::span<const std::span<const Vec3f>> skins,
+                         base::Issues& issues) {
+  geometry::Box3d box;
+  for (const std::span<const Vec3f> skin : skins) {
+    box.extend(geometry::bounds(skin));
+  }
+  const study::Source& wanted = study.study.sources[source];
+  ShotSource made;
+  made.source.name = wanted.name;
+  made.source.position = wanted.position;
+  made.source.target = wanted.target.value_or(box.center());
+  made.source.sampler = wanted.sampler;
+  made.shots = wanted.shots;
+  if (made.source.position == made.source.target) {
+    throw base::InputError(study.file.string(), fmt::format("/sources/{}", source),
+                           "the source stands on its target; move one of them");
+  }
+  if (wanted.sampler == shotline::Sampler::thesis) {
+    issues.push_back({base::Severity::warning, "", wanted.name,
+                      "the thesis' sampler (Eq 15) sends half of its shots backwards and its hit rate depends on the "
+                      "world's axes; use it for comparison only"});
+    return made;
+  }
+  made.source.halfAngle = shotline::boundingHalfAngle(made.source.position, made.source.target, skins);
+  made.solidAngle = shotline::solidAngle(made.source.halfAngle);
+  if (made.source.halfAngle == std::numbers::pi) {
+    issues.push_back({base::Severity::warning, "", wanted.name,
+                      "the source stands so near the body, or in it, that no cone bounds the body; its shots go in "
+                      "every direction"});
+  }
+  return made;
+}
 
 namespace {
 
 /// Sources with targets and cones that bound the posed skins of all poses compared.
 std::vector<ShotSource> prepareSources(const LoadedStudy& study, const RunOptions& options,
                                        const std::vector<geometry::Positions>& skins, base::Issues& issues) {
-  geometry::Box3d box;
-  std::vector<std::span<const Vec3f>> spans;
-  for (const geometry::Positions& skin : skins) {
-    box.extend(geometry::bounds(skin));
-    spans.emplace_back(skin);
-  }
+  const std::vector<std::span<const Vec3f>> spans(skins.begin(), skins.end());
   std::vector<ShotSource> sources;
   for (std::size_t i = 0; i < study.study.sources.size(); ++i) {
-    const study::Source& wanted = study.study.sources[i];
-    ShotSource& made = sources.emplace_back();
-    made.source.name = wanted.name;
-    made.source.position = wanted.position;
-    made.source.target = wanted.target.value_or(box.center());
-    made.source.sampler = wanted.sampler;
-    made.shots = options.shots.value_or(wanted.shots);
-    if (made.source.position == made.source.target) {
-      throw base::InputError(study.file.string(), fmt::format("/sources/{}", i),
-                             "the source stands on its target; move one of them");
-    }
-    if (wanted.sampler == shotline::Sampler::thesis) {
-      issues.push_back({base::Severity::warning, "", wanted.name,
-                        "the thesis' sampler (Eq 15) sends half of its shots backwards and its hit rate depends on the "
-                        "world's axes; use it for comparison only"});
-      continue;
-    }
-    made.source.halfAngle = shotline::boundingHalfAngle(made.source.position, made.source.target, spans);
-    made.solidAngle = shotline::solidAngle(made.source.halfAngle);
-    if (made.source.halfAngle == std::numbers::pi) {
-      issues.push_back({base::Severity::warning, "", wanted.name,
-                        "the source stands so near the body, or in it, that no cone bounds the body; its shots go in "
-                        "every direction"});
-    }
+    sources.push_back(prepareSource(study, i, spans, issues));
+    sources.back().shots = options.shots.value_or(sources.back().shots);
   }
   return sources;
 }
@@ -73,7 +80,9 @@ Plan planPoses(const LoadedStudy& study, const RunOptions& options, RunResult& r
       break;
     }
     parenting::PosedBody posed = study.body->pose(pose.pose, options.threads);
-    const std::size_t collapsed = posed.sites.collapsed.size() + posed.thesisSites.collapsed.size();
+    const bool thesis = std::find(result.models.begin(), result.models.end(), viscera::OrganModel::dynamicThesis) !=
+                        result.models.end();
+    const std::size_t collapsed = posed.sites.collapsed.size() + (thesis ? posed.thesisSites.collapsed.size() : 0);
     result.collapsedSites.push_back(collapsed);
     if (collapsed > 0) {
       result.issues.push_back({base::Severity::warning, "", pose.name,

@@ -155,6 +155,22 @@ fs::path resolve(const InputFile& input, const fs::path& studyFile) {
   return (fs::absolute(studyFile).parent_path() / input.path).lexically_normal();
 }
 
+Study rebased(Study study, const fs::path& fromFile, const fs::path& toFile) {
+  const fs::path folder = fs::absolute(toFile).lexically_normal().parent_path();
+  if (folder == fs::absolute(fromFile).lexically_normal().parent_path()) {
+    return study;
+  }
+  forEachInput(study, [&](InputFile& input) {
+    if (fs::path(input.path).is_absolute()) {
+      return;
+    }
+    const fs::path file = resolve(input, fromFile);
+    const fs::path relative = file.lexically_relative(folder);
+    input.path = (relative.empty() ? file : relative).generic_string();
+  });
+  return study;
+}
+
 std::vector<InputFile> inputFiles(const Study& study) {
   std::vector<InputFile> files;
   std::set<std::string> seen;

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <string>
 
 #include "json_node.h"
 #include "json_text.h"
@@ -285,6 +287,40 @@ Source readSource(const Node& node, Names& sources) {
   return source;
 }
 
+/// "#rrggbb".
+std::array<std::uint8_t, 3> readColour(const Node& node) {
+  const char* what = "a colour such as \"#c02818\"";
+  const std::string text = node.text(what);
+  const bool wellFormed = text.size() == 7 && text.front() == '#' &&
+                          text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (!wellFormed) {
+    node.failExpected(what);
+  }
+  std::array<std::uint8_t, 3> colour{};
+  for (std::size_t c = 0; c < colour.size(); ++c) {
+    colour.at(c) = static_cast<std::uint8_t>(std::stoul(text.substr(1 + 2 * c, 2), nullptr, 16));
+  }
+  return colour;
+}
+
+Display readDisplay(const Node& node, Names& drawn) {
+  node.checkObject("how a structure is drawn", displayKeys);
+  Display display;
+  const Node structure = node["structure"];
+  display.structure = structure.name("the name of a structure");
+  drawn.claim(structure, display.structure);
+  if (const Node visible = node["visible"]; visible.present()) {
+    display.visible = visible.boolean();
+  }
+  if (const Node colour = node["colour"]; colour.present()) {
+    display.colour = readColour(colour);
+  }
+  if (const Node opacity = node["opacity"]; opacity.present()) {
+    display.opacity = opacity.number({0.0, 1.0, true, "an opacity from 0 to 1"});
+  }
+  return display;
+}
+
 std::vector<std::string> readRunPoses(const Node& node, const std::vector<Pose>& poses) {
   std::vector<std::string> names;
   Names taken;
@@ -336,6 +372,12 @@ void readLists(const Node& root, Study& study) {
   if (const Node list = root["sources"]; list.present()) {
     for (const Node& source : list.list("a list of sources")) {
       study.sources.push_back(readSource(source, sources));
+    }
+  }
+  if (const Node list = root["display"]; list.present()) {
+    Names drawn;
+    for (const Node& display : list.list("a list of structures and how they are drawn")) {
+      study.displays.push_back(readDisplay(display, drawn));
     }
   }
   if (const Node models = root["models"]; models.present()) {

@@ -14,7 +14,7 @@ namespace lorica::study {
 
 inline constexpr auto studyKeys =
     std::to_array<std::string_view>({"lorica_study", "name", "description", "human", "organs", "armor", "poses",
-                                     "run_poses", "sources", "models", "trials", "seed", "site_spacing_mm"});
+                                     "run_poses", "sources", "models", "trials", "seed", "site_spacing_mm", "display"});
 inline constexpr auto humanKeys =
     std::to_array<std::string_view>({"file", "sha256", "units", "up", "builtin", "parts"});
 inline constexpr auto organKeys = std::to_array<std::string_view>(
@@ -29,6 +29,7 @@ inline constexpr auto poseKeys =
 inline constexpr auto turnKeys = std::to_array<std::string_view>({"joint", "degrees"});
 inline constexpr auto sourceKeys =
     std::to_array<std::string_view>({"name", "description", "type", "position", "target", "sampler", "shots"});
+inline constexpr auto displayKeys = std::to_array<std::string_view>({"structure", "visible", "colour", "opacity"});
 
 template <class Value>
 using Word = std::pair<std::string_view, Value>;

@@ -183,6 +183,22 @@ Json sourceJson(const Source& source) {
   return object;
 }
 
+Json displayJson(const Display& display) {
+  Json object;
+  object["structure"] = display.structure;
+  if (!display.visible) {
+    object["visible"] = false;
+  }
+  if (display.colour) {
+    const auto& [red, green, blue] = *display.colour;
+    object["colour"] = fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
+  }
+  if (display.opacity) {
+    object["opacity"] = *display.opacity;
+  }
+  return object;
+}
+
 template <class Item>
 void putList(Json& object, const char* key, const std::vector<Item>& items, Json (*json)(const Item&)) {
   for (const Item& item : items) {
@@ -213,6 +229,7 @@ Json studyJson(const Study& study) {
   if (study.siteSpacing != defaults.siteSpacing) {
     root["site_spacing_mm"] = millimetres(study.siteSpacing);
   }
+  putList(root, "display", study.displays, displayJson);
   return root;
 }
 

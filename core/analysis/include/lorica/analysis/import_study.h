@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lorica/analysis/loaded_study.h"
 #include "lorica/base/issue.h"
 #include "lorica/base/parallel.h"
 #include "lorica/base/progress.h"
@@ -30,6 +31,12 @@ struct ImportRequest {
   std::optional<base::LengthUnit> units;
   std::optional<char> up;           ///< 'y' or 'z'
   std::filesystem::path studyFile;  ///< where the study will be saved: inputs are named relative to it
+  /// A study that organs and armor are added to: it keeps all it has, its body included, so that `skin` is not read;
+  /// names are made unique against it, and pieces join a system of the same name. Its inputs are relative to
+  /// studyFile. Null: a new study is made.
+  const study::Study* addTo = nullptr;
+  /// An earlier loading of that study, which spares reading it again; may be null.
+  const LoadedStudy* previous = nullptr;
 };
 
 struct ImportedStudy {

@@ -16,35 +16,45 @@ namespace lorica::analysis {
 
 struct LoadedOrgan {
   std::string name;
-  std::string injuryClass;
   viscera::OrganRig rig;
   std::shared_ptr<const raycast::MeshTopology> topology;
+  base::Issues issues;
 };
 
 struct LoadedPiece {
   std::string name;
-  std::size_t system = 0;  ///< index into Study::systems
   armor::PieceRig rig;
   std::shared_ptr<const raycast::MeshTopology> topology;
   std::vector<geometry::TriangleMesh> nonProtecting;  ///< at rest, for pictures only
+  base::Issues issues;
 };
 
-/// Immutable after loading; const use is thread-safe.
+/// Immutable after loading; const use is thread-safe. Copies are cheap and share what was bound.
 struct LoadedStudy {
   study::Study study;
   std::filesystem::path file;  ///< where relative inputs start; may be a file that does not exist
-  std::unique_ptr<const parenting::BodyRig> body;
+  std::shared_ptr<const parenting::BodyRig> body;
   std::vector<human::Clip> clips;
-  std::vector<LoadedOrgan> organs;  ///< in the study's order
-  std::vector<LoadedPiece> pieces;  ///< system by system, in the study's order
-  base::Issues issues;
+  std::vector<std::shared_ptr<const LoadedOrgan>> organs;  ///< in the study's order
+  std::vector<std::shared_ptr<const LoadedPiece>> pieces;  ///< system by system, in the study's order
+  std::vector<std::size_t> systemOfPiece;                  ///< indices into Study::systems
+  base::Issues bodyIssues;
+  base::Issues fileIssues;  ///< of reading the inputs; `file` is the input's path
+  base::Issues issues;      ///< all of them: body, organs, pieces, files
+};
+
+struct LoadOptions {
+  /// Bind every organ for all four models, not only for those the study lists.
+  bool allModels = false;
+  /// An earlier loading: what the study still says in the same way is taken from it instead of read again.
+  const LoadedStudy* previous = nullptr;
 };
 
 /// Reads the inputs of a study.
 /// \param progress is advanced through the whole of it
 /// \throw base::InputError for a missing, changed or unusable input, an unknown joint, clip or part; base::Cancelled
 LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Threads threads,
-                 const base::Progress& progress = {});
+                 const base::Progress& progress = {}, const LoadOptions& options = {});
 
 /// A pose by its name in the study, or by CLIP@SECONDS.
 struct NamedPose {

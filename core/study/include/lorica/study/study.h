@@ -116,6 +116,15 @@ struct Source {
   bool operator==(const Source&) const = default;
 };
 
+/// How a structure is drawn where that is not the program's default; changes no number.
+struct Display {
+  std::string structure;  ///< "body", an organ or an armor piece
+  bool visible = true;
+  std::optional<std::array<std::uint8_t, 3>> colour;  ///< red, green, blue, sRGB
+  std::optional<double> opacity;                      ///< 0 to 1
+  bool operator==(const Display&) const = default;
+};
+
 struct Study {
   std::string name;
   std::string description;
@@ -129,7 +138,8 @@ struct Study {
   std::vector<OrganModel> models{OrganModel::staticJoint, OrganModel::dynamic};
   std::uint32_t trials = 5;
   std::uint64_t seed = 1;
-  double siteSpacing = 0.04;  ///< metres between interior sites
+  double siteSpacing = 0.04;      ///< metres between interior sites
+  std::vector<Display> displays;  ///< each structure at most once
   bool operator==(const Study&) const = default;
 };
 

@@ -53,6 +53,10 @@ std::string sha256(std::string_view bytes);
 /// Absolute, normalised path of an input of the study in that file.
 std::filesystem::path resolve(const InputFile& input, const std::filesystem::path& studyFile);
 
+/// The study as another study file must say it: relative paths of inputs are rewritten so that they resolve to the
+/// same files from that file's folder. Absolute ones stay, and so does everything when the folder is the same.
+Study rebased(Study study, const std::filesystem::path& fromFile, const std::filesystem::path& toFile);
+
 /// Names and texts of the sample studies built into the program, each with `description` fields.
 std::vector<std::string> templateNames();
 /// \throw base::InputError for an unknown name, listing the known ones

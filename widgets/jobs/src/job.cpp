@@ -1,0 +1,92 @@
+#include "lorica/jobs/job.h"
+
+#include <cmath>
+
+#include "lorica/base/error.h"
+
+namespace lorica::jobs {
+
+QString readableTime(double seconds) {
+  const auto whole = static_cast<long long>(std::ceil(seconds));
+  const auto twoDigits = [](long long value) { return QString::number(value).rightJustified(2, u'0'); };
+  if (whole >= 3600) {
+    return QStringLiteral("%1 h %2 min").arg(QString::number(whole / 3600), twoDigits(whole % 3600 / 60));
+  }
+  if (whole >= 60) {
+    return QStringLiteral("%1 min %2 s").arg(QString::number(whole / 60), twoDigits(whole % 60));
+  }
+  return QStringLiteral("%1 s").arg(whole);
+}
+
+QString sentenceOf(const std::exception_ptr& error) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const base::Error& known) {
+    return QString::fromUtf8(known.what());
+  } catch (const std::bad_alloc&) {
+    return QObject::tr("There is not enough memory for this; close other programs or use a smaller model.");
+  } catch (const std::exception& other) {
+    return QObject::tr("Lorica made a mistake (%1); please report it.").arg(QString::fromUtf8(other.what()));
+  }
+}
+
+Job::Job(QString title, Work work, QObject* parent)
+    : QObject(parent), title_(std::move(title)), work_(std::move(work)) {
+  timer_.setInterval(100);
+  connect(&timer_, &QTimer::timeout, this, [this] { Q_EMIT progressed(task_.progress()); });
+}
+
+Job::~Job() {
+  task_.cancel();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+void Job::start() {
+  clock_.start();
+  timer_.start();
+  thread_ = std::thread([this] {
+    try {
+      work_(base::Progress(task_));
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+    // Queued: delivered on the window's thread, or dropped with this object.
+    QMetaObject::invokeMethod(this, &Job::conclude, Qt::QueuedConnection);
+  });
+}
+
+void Job::cancel() {
+  task_.cancel();
+}
+
+QString Job::timeLeft() const {
+  const double share = task_.progress();
+  const double elapsed = static_cast<double>(clock_.elapsed()) / 1000.0;
+  if (elapsed < 0.5 || share < 0.02 || !isRunning()) {
+    return {};
+  }
+  return tr("%1 left").arg(readableTime(elapsed * (1.0 - share) / share));
+}
+
+void Job::conclude() {
+  thread_.join();
+  timer_.stop();
+  // Whoever listens may delete the job at the last signal only.
+  if (error_ == nullptr) {
+    Q_EMIT progressed(1.0);
+    Q_EMIT finished();
+  } else {
+    try {
+      std::rethrow_exception(error_);
+    } catch (const base::Cancelled&) {
+      Q_EMIT cancelled();
+    } catch (...) {
+      Q_EMIT failed(sentenceOf(error_));
+    }
+  }
+  Q_EMIT ended();
+}
+
+}  // namespace lorica::jobs

@@ -1,0 +1,102 @@
+#include "panel_parts.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QFontMetrics>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace lorica::panels {
+
+namespace {
+
+class KeyWatch : public QObject {
+ public:
+  KeyWatch(QWidget& widget, QKeySequence::StandardKey key, std::function<void()> action)
+      : QObject(&widget), key_(key), action_(std::move(action)) {
+    widget.installEventFilter(this);
+  }
+
+  bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) {
+      return false;
+    }
+    if (!static_cast<QKeyEvent*>(event)->matches(key_)) {
+      return false;
+    }
+    event->accept();
+    if (event->type() == QEvent::KeyPress) {
+      action_();
+    }
+    return true;
+  }
+
+ private:
+  QKeySequence::StandardKey key_;
+  std::function<void()> action_;
+};
+
+}  // namespace
+
+void onKey(QWidget& widget, QKeySequence::StandardKey key, std::function<void()> action) {
+  new KeyWatch(widget, key, std::move(action));
+}
+
+QWidget* makeEmptyPage(const QString& text, QWidget* parent) {
+  auto* page = new QWidget(parent);
+  auto* layout = new QVBoxLayout(page);
+  auto* label = new QLabel(text, page);
+  label->setAlignment(Qt::AlignCenter);
+  label->setWordWrap(true);
+  label->setForegroundRole(QPalette::PlaceholderText);
+  layout->addWidget(label);
+  return page;
+}
+
+QComboBox* makeChoice(const QString& tip, QWidget* parent) {
+  auto* combo = new QComboBox(parent);
+  combo->setToolTip(tip);
+  combo->setAccessibleName(tip);
+  combo->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  combo->setMinimumContentsLength(8);
+  combo->setMaximumWidth(combo->fontMetrics().averageCharWidth() * 34);
+  return combo;
+}
+
+QTableView* makeTable(QWidget* parent) {
+  auto* table = new QTableView(parent);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setShowGrid(false);
+  table->setAlternatingRowColors(true);
+  table->setWordWrap(false);
+  table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + panelMargin);
+  table->horizontalHeader()->setHighlightSections(false);
+  return table;
+}
+
+void refill(QComboBox& combo, const QStringList& entries, const QString& all) {
+  const QSignalBlocker quiet(combo);
+  const QString chosen = combo.currentData().toString();
+  combo.clear();
+  if (!all.isEmpty()) {
+    combo.addItem(all, QString());
+  }
+  int widest = 0;
+  for (const QString& entry : entries) {
+    combo.addItem(entry, entry);
+    combo.setItemData(combo.count() - 1, entry, Qt::ToolTipRole);
+    widest = std::max(widest, combo.fontMetrics().horizontalAdvance(entry));
+  }
+  combo.view()->setMinimumWidth(widest + 4 * combo.fontMetrics().averageCharWidth());
+  combo.setCurrentIndex(std::max(0, combo.findData(chosen)));
+}
+
+}  // namespace lorica::panels

@@ -1,0 +1,66 @@
+#pragma once
+
+/// \file
+/// The 3-D view: the posed human with its organs and armor, one picture or two side by side that share a camera. It
+/// shows frames and listens to the document for colours, visibility and selection. The one room that knows VTK's
+/// rendering.
+
+#include <QImage>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lorica/document/study_document.h"
+#include "lorica/jobs/frame_engine.h"
+
+namespace lorica::viewport {
+
+enum class StandardView { front, back, left, right, top, bottom };
+
+class SceneView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(document::StudyDocument& document, QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  /// The frame is kept until the next one; null clears the view. A new study is framed by the camera.
+  void showFrame(std::shared_ptr<const jobs::Frame> frame);
+  const std::shared_ptr<const jobs::Frame>& frame() const;
+  /// Looks from a side of the body (its own left and right); keeps the distance.
+  void lookFrom(StandardView view);
+  /// Moves the camera so that the whole body is seen.
+  void fit();
+  /// Which shots of the frames are drawn, by what they met: "" all, "miss", "body", "armor", "organs" or a structure.
+  void setShotFilter(const std::string& met);
+  /// While something moves, fewer layers of what is translucent are drawn.
+  void setMoving(bool moving);
+  /// The next click places a shot source: it is put where the click points to, as far from the body as `current` is,
+  /// and picked() says where. None: no more.
+  void pickSource(std::optional<geometry::Vec3d> current);
+  bool isPicking() const;
+  /// What is on the screen.
+  QImage picture();
+  /// How long the last drawing took, ms.
+  double drawMs() const;
+
+ Q_SIGNALS:
+  void picked(Eigen::Vector3d position);
+  void pickCancelled();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Impl;
+  void arrangePanes(std::size_t count);
+  void restyle();
+  void render();
+  void click(const QPointF& place);
+
+  document::StudyDocument& document_;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lorica::viewport

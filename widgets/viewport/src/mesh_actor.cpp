@@ -1,0 +1,62 @@
+#include "mesh_actor.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkTypeInt32Array.h>
+
+#include <numeric>
+
+namespace lorica::viewport {
+
+namespace {
+
+/// A view of float triples as a VTK array. VTK's interface takes what it only reads without const.
+vtkNew<vtkFloatArray> viewOf(std::span<const geometry::Vec3f> triples) {
+  vtkNew<vtkFloatArray> array;
+  array->SetNumberOfComponents(3);
+  array->SetArray(const_cast<float*>(triples.data()->data()), static_cast<vtkIdType>(3 * triples.size()), 1);
+  return array;
+}
+
+}  // namespace
+
+MeshActor::MeshActor(std::span<const geometry::Triangle> triangles) {
+  static_assert(sizeof(geometry::Triangle) == 3 * sizeof(vtkTypeInt32), "indices are shared with VTK");
+  vtkNew<vtkTypeInt32Array> corners;
+  auto* first = const_cast<std::uint32_t*>(triangles.data()->data());
+  corners->SetArray(reinterpret_cast<vtkTypeInt32*>(first), static_cast<vtkIdType>(3 * triangles.size()), 1);
+  vtkNew<vtkTypeInt32Array> offsets;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(triangles.size() + 1));
+  for (vtkIdType t = 0; t < offsets->GetNumberOfValues(); ++t) {
+    offsets->SetValue(t, static_cast<vtkTypeInt32>(3 * t));
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, corners);
+  data_->SetPoints(vtkNew<vtkPoints>());
+  data_->SetPolys(cells);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data_);
+  mapper->ScalarVisibilityOff();
+  actor_->SetMapper(mapper);
+  vtkProperty* property = actor_->GetProperty();
+  property->SetInterpolationToGouraud();
+  property->SetAmbient(0.15);
+  property->SetDiffuse(0.85);
+  property->SetSpecular(0.12);
+  property->SetSpecularPower(20.0);
+}
+
+void MeshActor::show(std::span<const geometry::Vec3f> positions, std::span<const geometry::Vec3f> normals) {
+  data_->GetPoints()->SetData(viewOf(positions));
+  data_->GetPoints()->Modified();
+  const auto normalArray = viewOf(normals);
+  normalArray->SetName("Normals");
+  data_->GetPointData()->SetNormals(normalArray);
+  data_->Modified();
+}
+
+}  // namespace lorica::viewport

@@ -1,0 +1,81 @@
+#include "mesh_presenter.h"
+
+#include <vtkProperty.h>
+
+#include "lorica/document/appearance.h"
+
+namespace lorica::viewport {
+
+MeshPresenter::~MeshPresenter() {
+  rebuild({});
+}
+
+void MeshPresenter::rebuild(const std::vector<Mesh>& meshes) {
+  for (const auto& actor : actors_) {
+    renderer()->RemoveActor(actor->actor());
+  }
+  actors_.clear();
+  structures_.clear();
+  for (const Mesh& mesh : meshes) {
+    actors_.push_back(std::make_unique<MeshActor>(mesh.triangles));
+    structures_.push_back(mesh.structure);
+    renderer()->AddActor(actors_.back()->actor());
+  }
+}
+
+void MeshPresenter::showFrame(const std::shared_ptr<const jobs::Frame>& frame) {
+  const std::vector<Mesh> meshes = frame == nullptr ? std::vector<Mesh>{} : meshesOf(*frame);
+  const bool sameStudy = frame != nullptr && frame_ != nullptr && frame->study == frame_->study;
+  if (!sameStudy || meshes.size() != actors_.size()) {
+    rebuild(meshes);
+  }
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    actors_[m]->show(meshes[m].positions, meshes[m].normals);
+  }
+  frame_ = frame;
+}
+
+void MeshPresenter::restyle(const document::StudyDocument& document) {
+  const auto& selection = document.selection();
+  for (std::size_t m = 0; m < actors_.size(); ++m) {
+    const document::Appearance look = document::appearanceOf(document.study(), structures_[m]);
+    vtkActor* actor = actors_[m]->actor();
+    actor->SetVisibility(look.visible && look.opacity > 0.0 ? 1 : 0);
+    vtkProperty* property = actor->GetProperty();
+    const bool selected =
+        selection && ((selection->kind == document::ItemKind::organ || selection->kind == document::ItemKind::piece) &&
+                      selection->name == structures_[m]);
+    property->SetColor(look.colour.redF(), look.colour.greenF(), look.colour.blueF());
+    property->SetOpacity(look.opacity);
+    // A selected structure glows a little, whatever its colour.
+    property->SetAmbient(selected ? 0.55 : 0.15);
+    property->SetEdgeVisibility(0);
+    property->SetAmbientColor(selected ? 1.0 : look.colour.redF(), selected ? 0.85 : look.colour.greenF(),
+                              selected ? 0.2 : look.colour.blueF());
+  }
+}
+
+std::vector<MeshPresenter::Mesh> SkinPresenter::meshesOf(const jobs::Frame& frame) const {
+  return {{"body", frame.study->body->body().skin.triangles, frame.scene->body().skin, frame.skinNormals}};
+}
+
+std::vector<MeshPresenter::Mesh> OrganPresenter::meshesOf(const jobs::Frame& frame) const {
+  std::vector<Mesh> meshes;
+  const auto& organs = frame.study->organs;
+  for (std::size_t o = 0; o < organs.size(); ++o) {
+    meshes.push_back({organs[o]->name, organs[o]->rig.rest.triangles, frame.scene->organ(o, model_),
+                      frame.organNormals[model_ * organs.size() + o]});
+  }
+  return meshes;
+}
+
+std::vector<MeshPresenter::Mesh> ArmorPresenter::meshesOf(const jobs::Frame& frame) const {
+  std::vector<Mesh> meshes;
+  for (std::size_t p = 0; p < frame.study->pieces.size(); ++p) {
+    const analysis::LoadedPiece& piece = *frame.study->pieces[p];
+    meshes.push_back({piece.name, piece.rig.rest.triangles, frame.scene->piece(p), frame.pieceNormals[p]});
+  }
+  return meshes;
+}
+
+}  // namespace lorica::viewport

@@ -1,0 +1,59 @@
+#include "pane.h"
+
+#include <vtkTextProperty.h>
+
+#include "floor_presenter.h"
+#include "mesh_presenter.h"
+#include "source_presenter.h"
+
+namespace lorica::viewport {
+
+Pane::Pane(std::size_t model, vtkCamera* camera) {
+  renderer_->SetActiveCamera(camera);
+  renderer_->GradientBackgroundOn();
+  renderer_->SetBackground(0.86, 0.88, 0.90);
+  renderer_->SetBackground2(0.97, 0.975, 0.98);
+  renderer_->SetUseDepthPeeling(1);
+  renderer_->SetMaximumNumberOfPeels(4);
+  renderer_->SetOcclusionRatio(0.0);
+  renderer_->AutomaticLightCreationOff();
+  light_->SetKeyLightIntensity(0.85);
+  light_->AddLightsToRenderer(renderer_);
+  presenters_.push_back(std::make_unique<FloorPresenter>(renderer_));
+  presenters_.push_back(std::make_unique<SkinPresenter>(renderer_));
+  presenters_.push_back(std::make_unique<OrganPresenter>(renderer_, model));
+  presenters_.push_back(std::make_unique<ArmorPresenter>(renderer_));
+  presenters_.push_back(std::make_unique<SourcePresenter>(renderer_));
+  auto shots = std::make_unique<ShotPresenter>(renderer_, model);
+  shots_ = shots.get();
+  presenters_.push_back(std::move(shots));
+  vtkTextProperty* text = title_->GetTextProperty();
+  text->SetFontFamilyToArial();
+  text->SetColor(0.20, 0.22, 0.25);
+  text->SetJustificationToCentered();
+  text->SetVerticalJustificationToTop();
+  title_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  title_->SetPosition(0.5, 0.985);
+  renderer_->AddViewProp(title_);
+  setTextScale(1.0);
+}
+
+void Pane::setTextScale(double scale) {
+  title_->GetTextProperty()->SetFontSize(static_cast<int>(15.0 * scale));
+}
+
+void Pane::showFrame(const std::shared_ptr<const jobs::Frame>& frame, const QString& title) {
+  for (const auto& presenter : presenters_) {
+    presenter->showFrame(frame);
+  }
+  title_->SetInput(title.toUtf8().constData());
+  title_->SetVisibility(title.isEmpty() ? 0 : 1);
+}
+
+void Pane::restyle(const document::StudyDocument& document) {
+  for (const auto& presenter : presenters_) {
+    presenter->restyle(document);
+  }
+}
+
+}  // namespace lorica::viewport

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vtkCamera.h>
+#include <vtkLightKit.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+
+#include <memory>
+#include <vector>
+
+#include "presenter.h"
+#include "shot_presenter.h"
+
+namespace lorica::viewport {
+
+/// One of the pictures side by side: the body with the organs of one model.
+class Pane {
+ public:
+  /// \param model index into the models of the frames it will be shown
+  Pane(std::size_t model, vtkCamera* camera);
+
+  vtkRenderer* renderer() { return renderer_; }
+  ShotPresenter& shots() { return *shots_; }
+  /// \param title of the pane; empty: none
+  void showFrame(const std::shared_ptr<const jobs::Frame>& frame, const QString& title);
+  void restyle(const document::StudyDocument& document);
+  /// Depth layers of what is translucent: more are right, fewer are fast.
+  void setPeels(int peels) { renderer_->SetMaximumNumberOfPeels(peels); }
+  void setTextScale(double scale);
+
+ private:
+  vtkNew<vtkRenderer> renderer_;
+  vtkNew<vtkLightKit> light_;
+  vtkNew<vtkTextActor> title_;
+  std::vector<std::unique_ptr<Presenter>> presenters_;
+  ShotPresenter* shots_ = nullptr;
+};
+
+}  // namespace lorica::viewport

@@ -1,0 +1,403 @@
+#include "lorica/viewport/scene_view.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkAxesActor.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCaptionActor2D.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOrientationMarkerWidget.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "camera_style.h"
+#include "lorica/document/appearance.h"
+#include "lorica/geometry/measures.h"
+#include "lorica/raycast/caster.h"
+#include "pane.h"
+
+namespace lorica::viewport {
+
+namespace {
+
+using geometry::Vec3d;
+
+QString titleOf(viscera::OrganModel model) {
+  switch (model) {
+    case viscera::OrganModel::staticJoint:
+      return SceneView::tr("static organs, carried by the nearest joint");
+    case viscera::OrganModel::staticSkin:
+      return SceneView::tr("static organs, carried by the skin");
+    case viscera::OrganModel::dynamicThesis:
+      return SceneView::tr("dynamic organs, thesis' settings");
+    case viscera::OrganModel::dynamic:
+      return SceneView::tr("dynamic organs");
+  }
+  return {};
+}
+
+/// The axes in the corner, by what they mean for the person.
+void dressAxes(vtkAxesActor* axes) {
+  axes->SetXAxisLabelText("left");
+  axes->SetYAxisLabelText("up");
+  axes->SetZAxisLabelText("front");
+  axes->SetShaftTypeToCylinder();
+  axes->SetCylinderRadius(0.03);
+  axes->SetConeRadius(0.25);
+  for (vtkCaptionActor2D* caption :
+       {axes->GetXAxisCaptionActor2D(), axes->GetYAxisCaptionActor2D(), axes->GetZAxisCaptionActor2D()}) {
+    caption->GetTextActor()->SetTextScaleModeToNone();
+    vtkTextProperty* text = caption->GetCaptionTextProperty();
+    text->SetColor(0.25, 0.27, 0.30);
+    text->SetFontSize(12);
+    text->BoldOff();
+    text->ItalicOff();
+    text->ShadowOff();
+  }
+}
+
+}  // namespace
+
+struct SceneView::Impl {
+  QVTKOpenGLNativeWidget* widget = nullptr;
+  QLabel* hint = nullptr;
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  vtkNew<vtkCamera> camera;
+  vtkNew<CameraStyle> style;
+  vtkNew<vtkAxesActor> axes;
+  vtkNew<vtkOrientationMarkerWidget> marker;
+  vtkNew<vtkRenderer> empty;  ///< behind everything, so that an empty view is not black
+  std::vector<std::unique_ptr<Pane>> panes;
+  std::shared_ptr<const jobs::Frame> frame;
+  std::string shotFilter;
+  std::optional<Vec3d> sourcePick;
+  QPointF pressed;
+  double drawMs = 0.0;
+  std::chrono::steady_clock::time_point drawStart;
+
+  double textScale() const { return widget->devicePixelRatioF(); }
+};
+
+SceneView::SceneView(document::StudyDocument& document, QWidget* parent)
+    : QWidget(parent), document_(document), impl_(std::make_unique<Impl>()) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  impl_->widget = new QVTKOpenGLNativeWidget(this);
+  impl_->widget->setRenderWindow(impl_->window);
+  impl_->widget->setFocusPolicy(Qt::StrongFocus);
+  impl_->widget->installEventFilter(this);
+  layout->addWidget(impl_->widget);
+  impl_->hint = new QLabel(impl_->widget);
+  impl_->hint->setAutoFillBackground(true);
+  impl_->hint->setMargin(6);
+  impl_->hint->hide();
+  impl_->window->SetMultiSamples(0);
+  impl_->window->SetAlphaBitPlanes(1);
+  impl_->empty->SetBackground(0.86, 0.88, 0.90);
+  impl_->empty->SetBackground2(0.97, 0.975, 0.98);
+  impl_->empty->GradientBackgroundOn();
+  impl_->window->AddRenderer(impl_->empty);
+  impl_->window->GetInteractor()->SetInteractorStyle(impl_->style);
+  impl_->camera->SetViewAngle(25.0);
+  impl_->camera->SetViewUp(0.0, 1.0, 0.0);
+  impl_->camera->SetFocalPoint(0.0, 0.9, 0.0);
+  impl_->camera->SetPosition(1.2, 1.1, 4.5);
+  dressAxes(impl_->axes);
+  impl_->marker->SetOrientationMarker(impl_->axes);
+
+  vtkNew<vtkCallbackCommand> clock;
+  clock->SetClientData(impl_.get());
+  clock->SetCallback([](vtkObject*, unsigned long event, void* client, void*) {
+    auto* impl = static_cast<Impl*>(client);
+    const auto now = std::chrono::steady_clock::now();
+    if (event == vtkCommand::StartEvent) {
+      impl->drawStart = now;
+    } else {
+      impl->drawMs = std::chrono::duration<double, std::milli>(now - impl->drawStart).count();
+    }
+  });
+  impl_->window->AddObserver(vtkCommand::StartEvent, clock);
+  impl_->window->AddObserver(vtkCommand::EndEvent, clock);
+
+  using document::StudyDocument;
+  connect(&document_, &StudyDocument::studyChanged, this, [this](document::Changes what) {
+    if (what.testFlag(document::Change::display) || what.testFlag(document::Change::sources)) {
+      restyle();
+    }
+  });
+  connect(&document_, &StudyDocument::selectionChanged, this, &SceneView::restyle);
+}
+
+SceneView::~SceneView() {
+  impl_->marker->SetInteractor(nullptr);
+  for (const auto& pane : impl_->panes) {
+    impl_->window->RemoveRenderer(pane->renderer());
+  }
+  impl_->panes.clear();
+}
+
+const std::shared_ptr<const jobs::Frame>& SceneView::frame() const {
+  return impl_->frame;
+}
+bool SceneView::isPicking() const {
+  return impl_->sourcePick.has_value();
+}
+double SceneView::drawMs() const {
+  return impl_->drawMs;
+}
+
+void SceneView::arrangePanes(std::size_t count) {
+  if (impl_->panes.size() == count) {
+    return;
+  }
+  if (impl_->marker->GetInteractor() != nullptr) {
+    impl_->marker->EnabledOff();
+  }
+  for (const auto& pane : impl_->panes) {
+    impl_->window->RemoveRenderer(pane->renderer());
+  }
+  impl_->panes.clear();
+  for (std::size_t p = 0; p < count; ++p) {
+    auto pane = std::make_unique<Pane>(p, impl_->camera);
+    const double share = 1.0 / static_cast<double>(count);
+    const double left = static_cast<double>(p) * share;
+    // A thin line of background between the panes.
+    pane->renderer()->SetViewport(left + (p > 0 ? 0.001 : 0.0), 0.0, left + share, 1.0);
+    pane->setTextScale(impl_->textScale());
+    pane->shots().setFilter(impl_->shotFilter);
+    impl_->window->AddRenderer(pane->renderer());
+    impl_->panes.push_back(std::move(pane));
+  }
+  if (count > 0) {
+    impl_->marker->SetInteractor(impl_->window->GetInteractor());
+    impl_->marker->SetCurrentRenderer(impl_->panes.front()->renderer());
+    const double share = 1.0 / static_cast<double>(count);
+    impl_->marker->SetViewport(0.0, 0.0, 0.16 * share + 0.04, 0.20);
+    impl_->marker->EnabledOn();
+    impl_->marker->InteractiveOff();
+  }
+}
+
+void SceneView::showFrame(std::shared_ptr<const jobs::Frame> frame) {
+  const bool other = frame != nullptr && (impl_->frame == nullptr || impl_->frame->study->body != frame->study->body);
+  arrangePanes(frame == nullptr ? 0 : frame->scene->models().size());
+  for (std::size_t p = 0; p < impl_->panes.size(); ++p) {
+    impl_->panes[p]->showFrame(frame, titleOf(frame->scene->models()[p]));
+  }
+  // The old frame goes only now that nobody draws it any more.
+  impl_->frame = std::move(frame);
+  restyle();
+  if (other) {
+    fit();
+  }
+}
+
+void SceneView::restyle() {
+  for (const auto& pane : impl_->panes) {
+    pane->restyle(document_);
+  }
+  render();
+}
+
+void SceneView::render() {
+  for (const auto& pane : impl_->panes) {
+    pane->renderer()->ResetCameraClippingRange();
+  }
+  impl_->widget->update();
+  impl_->window->Render();
+}
+
+void SceneView::setMoving(bool moving) {
+  for (const auto& pane : impl_->panes) {
+    pane->setPeels(moving ? 2 : 4);
+  }
+}
+
+void SceneView::setShotFilter(const std::string& met) {
+  impl_->shotFilter = met;
+  for (const auto& pane : impl_->panes) {
+    pane->shots().setFilter(met);
+  }
+  restyle();
+}
+
+void SceneView::lookFrom(StandardView view) {
+  vtkCamera* camera = impl_->camera;
+  const double distance = camera->GetDistance();
+  const Vec3d middle(camera->GetFocalPoint());
+  Vec3d from = Vec3d::UnitZ();
+  Vec3d up = Vec3d::UnitY();
+  switch (view) {
+    case StandardView::front:
+      break;
+    case StandardView::back:
+      from = -Vec3d::UnitZ();
+      break;
+    case StandardView::left:
+      from = Vec3d::UnitX();
+      break;
+    case StandardView::right:
+      from = -Vec3d::UnitX();
+      break;
+    case StandardView::top:
+      from = Vec3d::UnitY();
+      up = -Vec3d::UnitZ();
+      break;
+    case StandardView::bottom:
+      from = -Vec3d::UnitY();
+      up = Vec3d::UnitZ();
+      break;
+  }
+  const Vec3d position = middle + distance * from;
+  camera->SetPosition(position.data());
+  camera->SetViewUp(up.data());
+  render();
+}
+
+void SceneView::fit() {
+  if (impl_->frame == nullptr) {
+    return;
+  }
+  geometry::Box3d box = geometry::bounds(impl_->frame->scene->body().skin);
+  for (std::size_t p = 0; p < impl_->frame->study->pieces.size(); ++p) {
+    box.extend(geometry::bounds(impl_->frame->scene->piece(p)));
+  }
+  vtkCamera* camera = impl_->camera;
+  const Vec3d middle = box.center();
+  const Vec3d direction(camera->GetDirectionOfProjection());
+  const int* size = impl_->window->GetSize();
+  const double panes = static_cast<double>(std::max<std::size_t>(1, impl_->panes.size()));
+  const double aspect = size[1] > 0 ? size[0] / panes / size[1] : 1.0;
+  const double half = std::tan(camera->GetViewAngle() * std::numbers::pi / 360.0);
+  const double height = 0.5 * box.sizes().y();
+  const double width = 0.5 * std::hypot(box.sizes().x(), box.sizes().z());
+  const double distance = 1.12 * std::max(height / half, width / (half * std::max(0.1, aspect))) + 0.5 * width;
+  const Vec3d position = middle - distance * direction;
+  camera->SetFocalPoint(middle.data());
+  camera->SetPosition(position.data());
+  render();
+}
+
+void SceneView::pickSource(std::optional<Vec3d> current) {
+  const bool was = isPicking();
+  impl_->sourcePick = current;
+  impl_->widget->setCursor(isPicking() ? Qt::CrossCursor : Qt::ArrowCursor);
+  impl_->hint->setVisible(isPicking());
+  if (isPicking()) {
+    impl_->hint->setText(tr("Click the body from where the shots shall come, or the floor below that place. Esc: no."));
+    impl_->hint->adjustSize();
+    impl_->hint->move(12, 12);
+  } else if (was) {
+    Q_EMIT pickCancelled();
+  }
+}
+
+QImage SceneView::picture() {
+  impl_->window->Render();
+  return impl_->widget->grabFramebuffer();
+}
+
+bool SceneView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != impl_->widget) {
+    return QWidget::eventFilter(watched, event);
+  }
+  if (event->type() == QEvent::MouseButtonPress) {
+    impl_->pressed = static_cast<QMouseEvent*>(event)->position();
+  } else if (event->type() == QEvent::MouseButtonRelease) {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    const bool still = (mouse->position() - impl_->pressed).manhattanLength() < 4.0;
+    if (mouse->button() == Qt::LeftButton && still) {
+      click(mouse->position());
+    }
+  } else if (event->type() == QEvent::KeyPress && isPicking() &&
+             static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    pickSource(std::nullopt);
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void SceneView::click(const QPointF& place) {
+  if (impl_->frame == nullptr) {
+    return;
+  }
+  const double scale = impl_->widget->devicePixelRatioF();
+  const int* size = impl_->window->GetSize();
+  const double x = place.x() * scale;
+  const double y = size[1] - 1 - place.y() * scale;
+  const auto pane = std::min(impl_->panes.size() - 1,
+                             static_cast<std::size_t>(x * static_cast<double>(impl_->panes.size()) / size[0]));
+  vtkRenderer* renderer = impl_->panes[pane]->renderer();
+  const auto unproject = [&](double depth) {
+    renderer->SetDisplayPoint(x, y, depth);
+    renderer->DisplayToWorld();
+    const double* world = renderer->GetWorldPoint();
+    return Vec3d(world[0] / world[3], world[1] / world[3], world[2] / world[3]);
+  };
+  const Vec3d near = unproject(0.0);
+  const Vec3d direction = (unproject(1.0) - near).normalized();
+  const jobs::Frame& frame = *impl_->frame;
+  raycast::Caster caster(frame.scene->scene());
+  const auto hits = caster.cast({near.cast<float>(), direction.cast<float>()});
+
+  if (impl_->sourcePick) {
+    const Vec3d middle = geometry::bounds(frame.scene->body().skin).center();
+    const double reach = (*impl_->sourcePick - middle).norm();
+    std::optional<Vec3d> position;
+    if (!hits.empty()) {
+      const Vec3d point = near + hits.front().t * direction;
+      position = point - reach * direction;
+    } else if (const double floor = geometry::bounds(frame.study->body->body().skin.positions).min().y();
+               direction.y() < -1e-3 && near.y() > floor) {
+      position = near + (floor - near.y()) / direction.y() * direction;
+      position->y() = impl_->sourcePick->y();
+    }
+    if (position) {
+      impl_->sourcePick.reset();
+      impl_->hint->hide();
+      impl_->widget->setCursor(Qt::ArrowCursor);
+      // Whole millimetres read better.
+      Q_EMIT picked((*position * 1000.0).array().round().matrix() / 1000.0);
+    }
+    return;
+  }
+
+  // What one sees: the first thing that is not see-through, else the first thing at all.
+  std::optional<document::ItemRef> seen;
+  for (const raycast::Hit& hit : hits) {
+    const analysis::StructureRef what = analysis::structureOfMesh(frame.scene->layout(), hit.mesh);
+    using Kind = analysis::StructureRef::Kind;
+    if (what.kind == Kind::organ && what.model != pane) {
+      continue;
+    }
+    const document::ItemRef item =
+        what.kind == Kind::body ? document::ItemRef{document::ItemKind::body, ""}
+        : what.kind == Kind::piece
+            ? document::ItemRef{document::ItemKind::piece, frame.study->pieces[what.index]->name}
+            : document::ItemRef{document::ItemKind::organ, frame.study->organs[what.index]->name};
+    const document::Appearance look = document::appearanceOf(
+        document_.study(), item.kind == document::ItemKind::body ? std::string("body") : item.name);
+    if (!look.visible) {
+      continue;
+    }
+    if (look.opacity >= 0.5) {
+      seen = item;
+      break;
+    }
+    if (!seen) {
+      seen = item;
+    }
+  }
+  document_.select(seen);
+}
+
+}  // namespace lorica::viewport
