@@ -43,7 +43,7 @@ void DepthMap::raise(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
       const double v = ((x - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (y - a.y())) / whole;
       const double w = ((b.x() - a.x()) * (y - a.y()) - (x - a.x()) * (b.y() - a.y())) / whole;
       if (v >= -1e-9 && w >= -1e-9 && v + w <= 1.0 + 1e-9) {
-        double& depth = depth_[static_cast<std::size_t>(j * columns_ + i)];
+        double& depth = depth_[place(i, j)];
         depth = std::max(depth, a.z() + v * (b.z() - a.z()) + w * (c.z() - a.z()));
       }
     }
@@ -62,8 +62,8 @@ void DepthMap::grow(double radius) {
       const double lift = std::sqrt(rest);
       for (int j = std::max(0, -dj); j < std::min(rows_, rows_ - dj); ++j) {
         for (int i = std::max(0, -di); i < std::min(columns_, columns_ - di); ++i) {
-          double& depth = depth_[static_cast<std::size_t>(j * columns_ + i)];
-          depth = std::max(depth, skin[static_cast<std::size_t>((j + dj) * columns_ + i + di)] + lift);
+          double& depth = depth_[place(i, j)];
+          depth = std::max(depth, skin[place(i + di, j + dj)] + lift);
         }
       }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
@@ -28,8 +29,11 @@ class DepthMap {
   static constexpr double kCell = 0.004;
 
   double value(int i, int j) const {
-    return i < 0 || j < 0 || i >= columns_ || j >= rows_ ? kNothing
-                                                         : depth_[static_cast<std::size_t>(j * columns_ + i)];
+    return i < 0 || j < 0 || i >= columns_ || j >= rows_ ? kNothing : depth_[place(i, j)];
+  }
+  /// Where a grid point's depth is kept; the point lies within the grid.
+  std::size_t place(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
   }
   void raise(const geometry::Vec3d& a, const geometry::Vec3d& b, const geometry::Vec3d& c);
   void grow(double radius);

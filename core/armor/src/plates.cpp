@@ -44,6 +44,7 @@ std::vector<double> rowHeights(const PlateSpec& spec) {
   const double straight = spec.height - spec.cornerHeight;
   const int below = steps(straight);
   const int above = steps(spec.cornerHeight);
+  rows.reserve(static_cast<std::size_t>(below) + static_cast<std::size_t>(above) + 1);
   for (int i = 0; i < below; ++i) {
     rows.push_back(straight * i / below);
   }

@@ -126,15 +126,15 @@ const std::array<Vec3d, toe + 1>& restPositions() {
   return positions;
 }
 
-double trunkField(const Vec3d& p) {
-  double field = torsoField(p);
-  const double shoulder = taperedCapsule(p, {0.030, 1.462, -0.052}, {0.165, 1.413, -0.045}, 0.046, 0.046);
+double trunkField(const Vec3d& mirrored) {
+  double field = torsoField(mirrored);
+  const double shoulder = taperedCapsule(mirrored, {0.030, 1.462, -0.052}, {0.165, 1.413, -0.045}, 0.046, 0.046);
   field = smoothUnion(field, shoulder, 0.06);
-  field = smoothUnion(field, ellipsoidField(p, {0.078, 0.905, -0.062}, {0.082, 0.085, 0.068}), 0.04);
-  return smoothUnion(field, headField(p), 0.05);
+  field = smoothUnion(field, ellipsoidField(mirrored, {0.078, 0.905, -0.062}, {0.082, 0.085, 0.068}), 0.04);
+  return smoothUnion(field, headField(mirrored), 0.05);
 }
 
-double armField(const Vec3d& p) {
+double armField(const Vec3d& mirrored) {
   static const std::array<Station, 7> arm = [] {
     const Vec3d& shoulder = restPositions()[glenohumeral];
     const Vec3d upper = restPositions()[elbow] - shoulder;
@@ -147,10 +147,10 @@ double armField(const Vec3d& p) {
                                    {shoulder + upper + 0.60 * lower, 0.037},
                                    {shoulder + upper + lower, 0.028}}};
   }();
-  return smoothUnion(limbField(p, arm), handField(p), 0.02);
+  return smoothUnion(limbField(mirrored, arm), handField(mirrored), 0.02);
 }
 
-double legField(const Vec3d& p) {
+double legField(const Vec3d& mirrored) {
   static const std::array<Station, 8> leg = [] {
     const Vec3d& top = restPositions()[hip];
     const Vec3d& middle = restPositions()[knee];
@@ -164,7 +164,7 @@ double legField(const Vec3d& p) {
                                    {middle + 0.65 * shank + Vec3d(0.0, 0.0, -0.006), 0.044},
                                    {middle + shank, 0.035}}};
   }();
-  return smoothUnion(limbField(p, leg), footField(p), 0.025);
+  return smoothUnion(limbField(mirrored, leg), footField(mirrored), 0.025);
 }
 
 geometry::TriangleMesh skinSurface() {

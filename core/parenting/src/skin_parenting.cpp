@@ -61,13 +61,16 @@ const std::vector<RayTriple>& fan() {
   static const std::vector<RayTriple> triples = [] {
     std::vector<RayTriple> made;
     for (int code = 1; code < 27; ++code) {
-      const Vec3d axis(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+      // The three digits of the code to base 3, each from -1 to 1.
+      const int x = code % 3 - 1;
+      const int y = code / 3 % 3 - 1;
+      const int z = code / 9 - 1;
       // One of each pair of opposite axes.
-      const bool positive = axis.z() > 0 || (axis.z() == 0 && (axis.y() > 0 || (axis.y() == 0 && axis.x() > 0)));
+      const bool positive = z > 0 || (z == 0 && (y > 0 || (y == 0 && x > 0)));
       if (!positive) {
         continue;
       }
-      const Vec3d normal = axis.normalized();
+      const Vec3d normal = Vec3d(x, y, z).normalized();
       const Vec3d u = normal.unitOrthogonal();
       const Vec3d v = normal.cross(u);
       made.push_back(tripleIn(u, v, 0.0));

@@ -15,6 +15,8 @@ struct Index {
 
   constexpr Index() = default;
   constexpr explicit Index(std::size_t v) : value(static_cast<std::uint32_t>(v)) {}
+  // The 0 that a defaulted comparison is rewritten with is the compiler's own.
+  // NOLINTNEXTLINE(modernize-use-nullptr)
   friend constexpr auto operator<=>(const Index&, const Index&) = default;
 };
 

@@ -60,6 +60,6 @@ Study rebased(Study study, const std::filesystem::path& fromFile, const std::fil
 /// Names and texts of the sample studies built into the program, each with `description` fields.
 std::vector<std::string> templateNames();
 /// \throw base::InputError for an unknown name, listing the known ones
-std::string templateText(std::string_view name);
+std::string templateText(std::string_view wanted);
 
 }  // namespace lorica::study

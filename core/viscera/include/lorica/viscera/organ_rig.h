@@ -22,7 +22,7 @@ enum class OrganModel {
 
 /// "static_joint", "static_skin", "dynamic_thesis", "dynamic".
 std::string name(OrganModel model);
-std::optional<OrganModel> organModelNamed(std::string_view name);
+std::optional<OrganModel> organModelNamed(std::string_view wanted);
 
 struct OrganOptions {
   std::optional<human::JointIndex> joint;  ///< carries static_joint; default the nearest to the organ's centroid
