@@ -23,7 +23,7 @@ endfunction()
 # A GoogleTest program with a QApplication; without a display it starts an X server of its own. Label: window.
 function(lorica_add_window_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/tests/support/window_main.cpp)
+  add_executable(${name} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/tests/widgets/window_main.cpp)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
   set_target_properties(${name} PROPERTIES AUTOMOC ON)
   target_link_libraries(${name} PRIVATE lorica_warnings lorica_numerics lorica_sanitizers ${ARG_LINK} Qt6::Widgets

@@ -67,10 +67,10 @@ TEST_F(Inputs, AreRelativeToTheStudy) {
 
 TEST_F(Inputs, AreTheSameFilesForAStudyRebasedToAnotherFolder) {
   const Study study = studyOf({"body.glb", "../meshes/./heart.stl", "/models/liver.stl", "organs/sub/lung.stl"});
-  const std::filesystem::path from = "/home/studies/a.lorica.json";
+  const std::filesystem::path from = "/data/studies/a.lorica.json";
   for (const std::filesystem::path to :
-       {"/home/studies/deep/er/b.lorica.json", "/home/b.lorica.json", "/b.lorica.json", "/home/meshes/b.lorica.json",
-        "/home/studies/../other/b.lorica.json", "relative/b.lorica.json"}) {
+       {"/data/studies/deep/er/b.lorica.json", "/data/b.lorica.json", "/b.lorica.json", "/data/meshes/b.lorica.json",
+        "/data/studies/../other/b.lorica.json", "relative/b.lorica.json"}) {
     const Study moved = rebased(study, from, to);
     const std::vector<InputFile> before = inputFiles(study);
     const std::vector<InputFile> after = inputFiles(moved);
@@ -82,14 +82,14 @@ TEST_F(Inputs, AreTheSameFilesForAStudyRebasedToAnotherFolder) {
     EXPECT_NE(after[0].path, before[0].path);
     EXPECT_EQ(after[2].path, before[2].path);
   }
-  EXPECT_EQ(inputFiles(rebased(study, from, "/home/b.lorica.json"))[0].path, "studies/body.glb");
-  EXPECT_EQ(inputFiles(rebased(study, from, "/home/meshes/b.lorica.json"))[1].path, "heart.stl");
+  EXPECT_EQ(inputFiles(rebased(study, from, "/data/b.lorica.json"))[0].path, "studies/body.glb");
+  EXPECT_EQ(inputFiles(rebased(study, from, "/data/meshes/b.lorica.json"))[1].path, "heart.stl");
 }
 
 TEST_F(Inputs, StayAsTheyAreWrittenWhenTheStudyStaysInItsFolder) {
   const Study study = studyOf({"body.glb", "../meshes/./heart.stl", "./liver.stl"});
-  EXPECT_EQ(rebased(study, "/home/studies/a.lorica.json", "/home/studies/b.lorica.json"), study);
-  EXPECT_EQ(rebased(study, "/home/studies/a.lorica.json", "/home/x/../studies/b.lorica.json"), study);
+  EXPECT_EQ(rebased(study, "/data/studies/a.lorica.json", "/data/studies/b.lorica.json"), study);
+  EXPECT_EQ(rebased(study, "/data/studies/a.lorica.json", "/data/x/../studies/b.lorica.json"), study);
 }
 
 TEST_F(Inputs, PassWhenTheyAreAsTheyWere) {
