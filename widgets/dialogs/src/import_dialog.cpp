@@ -14,6 +14,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QRegularExpression>
 #include <QStyle>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -37,13 +38,14 @@ QString textOf(const fs::path& path) {
   return QString::fromStdU16String(path.generic_u16string());
 }
 
-/// Hints at options of the command line, and at the study's text, say nothing in a window.
+/// The same sentence without hints at options of the command line and at the study's text: here there are choices.
 QString windowText(const std::string& issue) {
   QString text = QString::fromStdString(issue);
-  for (const char* hint : {"; --units decides", "; --up decides", "; \"carriage\" in the study decides",
-                           "; \"non_protecting\" in the study decides"}) {
-    text.remove(QString::fromLatin1(hint));
-  }
+  static const QRegularExpression decides(
+      QStringLiteral("; --(units|up) decides| \\(--(units|up) decides\\)|"
+                     "; \"[a-z_]+\" in the study decides"));
+  text.remove(decides);
+  text.replace(QStringLiteral("give --units"), ImportDialog::tr("choose the unit of lengths"));
   return text;
 }
 
@@ -71,6 +73,7 @@ void makeCalm(QTableWidget* table) {
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->horizontalHeader()->setHighlightSections(false);
+  table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table->setTextElideMode(Qt::ElideMiddle);
 }
 
@@ -207,7 +210,10 @@ QWidget* ImportDialog::makePreview() {
   preview_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Interactive);
   preview_->setColumnWidth(1, fontMetrics().averageCharWidth() * 26);
   preview_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
-  connect(preview_->horizontalHeader(), &QHeaderView::sectionResized, preview_, &QTableWidget::resizeRowsToContents);
+  connect(preview_->horizontalHeader(), &QHeaderView::sectionResized, preview_, &QTableWidget::resizeRowsToContents,
+          Qt::QueuedConnection);
+  const int side = fontMetrics().height();
+  preview_->setIconSize({side, side});
   column->addWidget(preview_, 1);
   auto* row = new QHBoxLayout;
   column->addLayout(row);
@@ -493,7 +499,8 @@ void ImportDialog::showIssues(const base::Issues& issues) {
     preview_->setItem(row, 0, new QTableWidgetItem(style()->standardIcon(icon), severity));
     const QString file = textOf(fs::path(issue.file).filename());
     const QString place = QString::fromStdString(issue.place);
-    auto* where = new QTableWidgetItem(file.isEmpty() || place.isEmpty() ? file + place : file + u": " + place);
+    auto* where =
+        new QTableWidgetItem(file.isEmpty() || place.isEmpty() ? file + place : file + QStringLiteral(": ") + place);
     where->setToolTip(QString::fromStdString(issue.file));
     preview_->setItem(row, 1, where);
     auto* what = new QTableWidgetItem(windowText(issue.text));

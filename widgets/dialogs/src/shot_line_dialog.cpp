@@ -51,7 +51,6 @@ ShotLineDialog::ShotLineDialog(document::StudyDocument& document, jobs::RunContr
   column->addLayout(sides, 1);
   sides->addWidget(makeSourceSide(), 1);
   sides->addWidget(makeRunSide(), 1);
-  column->addWidget(makeViewRow());
   column->addWidget(makeRunRow());
 
   connect(&document_, &StudyDocument::replaced, this, [this] {
@@ -143,8 +142,11 @@ QWidget* ShotLineDialog::makeSourceSide() {
   pick_->setCheckable(true);
   pick_->setToolTip(tr("Click in the view to place the source there"));
   connect(pick_, &QPushButton::toggled, this, &ShotLineDialog::pickRequested);
-  column->addWidget(pick_, 0, Qt::AlignLeft);
+  pick_->setAutoDefault(false);
+  pick_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  sourceForm_->row(QLatin1String(""), pick_);
   column->addStretch(1);
+  column->addWidget(makeViewRows());
   return group;
 }
 
@@ -188,13 +190,15 @@ QWidget* ShotLineDialog::makeRunSide() {
   return group;
 }
 
-QWidget* ShotLineDialog::makeViewRow() {
+QWidget* ShotLineDialog::makeViewRows() {
   auto* group = new QWidget(this);
-  auto* row = new QHBoxLayout(group);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* column = new QVBoxLayout(group);
+  column->setContentsMargins(0, 0, 0, 0);
   showShots_ = new QCheckBox(tr("Show shots in the view"), group);
   showShots_->setObjectName(QStringLiteral("show_shots"));
-  row->addWidget(showShots_);
+  column->addWidget(showShots_);
+  auto* row = new QHBoxLayout;
+  column->addLayout(row);
   limit_ = new QSpinBox(group);
   limit_->setObjectName(QStringLiteral("limit"));
   limit_->setAccessibleName(tr("How many shots are shown"));
@@ -214,7 +218,6 @@ QWidget* ShotLineDialog::makeViewRow() {
   firstHit_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   firstHit_->setMinimumContentsLength(14);
   row->addWidget(firstHit_, 1);
-  row->addStretch(1);
   connect(showShots_, &QCheckBox::toggled, this, &ShotLineDialog::updateDisplay);
   connect(limit_, &QSpinBox::valueChanged, this, &ShotLineDialog::updateDisplay);
   connect(firstHit_, &QComboBox::currentIndexChanged, this, &ShotLineDialog::updateDisplay);

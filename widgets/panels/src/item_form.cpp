@@ -79,8 +79,13 @@ QString partsText(const study::MeshSource& mesh) {
   return names.isEmpty() ? Text::tr("all") : names.join(QStringLiteral(", "));
 }
 
+/// Three digits or more.
+QString amount(double value) {
+  return std::abs(value) < 100.0 ? readable(value, 1) : models::grouped(static_cast<std::uint64_t>(std::lround(value)));
+}
+
 QString areaText(double squareMetres) {
-  return Text::tr("%1 cm²").arg(readable(squareMetres * 1e4, squareMetres < 0.01 ? 1 : 0));
+  return Text::tr("%1 cm²").arg(amount(squareMetres * 1e4));
 }
 
 /// What is known of a mesh at rest.
@@ -90,7 +95,6 @@ struct MeshFacts {
   QString closed = unknown();
   QString volume = unknown();
   QString area = unknown();
-  double squareMetres = 0.0;
 };
 
 MeshFacts factsOf(const geometry::TriangleMesh& mesh, const raycast::MeshTopology& topology) {
@@ -98,11 +102,9 @@ MeshFacts factsOf(const geometry::TriangleMesh& mesh, const raycast::MeshTopolog
   const bool closed = std::all_of(topology.closed.begin(), topology.closed.end(), [](bool is) { return is; });
   facts.triangles = models::grouped(mesh.triangles.size());
   facts.closed = closed ? Text::tr("closed") : Text::tr("open");
-  facts.squareMetres = geometry::area(mesh);
-  facts.area = areaText(facts.squareMetres);
+  facts.area = areaText(geometry::area(mesh));
   if (closed) {
-    const double litres = geometry::signedVolume(mesh);
-    facts.volume = Text::tr("%1 cm³").arg(readable(litres * 1e6, litres < 1e-4 ? 1 : 0));
+    facts.volume = Text::tr("%1 cm³").arg(amount(std::max(0.0, geometry::signedVolume(mesh)) * 1e6));
   } else {
     facts.volume = Text::tr("none, the surface is open");
   }
@@ -463,7 +465,7 @@ void fillPiece(PropertyForm& form, const std::string& name) {
         commands::setCarriage(document, name, id == u"rigid" ? study::Carriage::rigid : study::Carriage::skinned);
       });
   QPlainTextEdit* patterns = form.paragraph(
-      {"non_protecting", Text::tr("Parts that do not protect"),
+      {"non_protecting", Text::tr("Not protecting"),
        Text::tr("Names of parts, one a line, such as straps and pouches. * stands for any run of letters.")},
       [piece] {
         QStringList lines;

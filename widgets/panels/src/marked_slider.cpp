@@ -17,7 +17,7 @@ void MarkedSlider::setMarks(std::vector<double> marks) {
 }
 
 QSize MarkedSlider::sizeHint() const {
-  return {fontMetrics().averageCharWidth() * 24, QSlider::sizeHint().height() + 2 * markHeight()};
+  return {fontMetrics().averageCharWidth() * 24, QSlider::sizeHint().height() + markHeight()};
 }
 
 MarkedSlider::Track MarkedSlider::track() const {

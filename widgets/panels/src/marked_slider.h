@@ -26,7 +26,7 @@ class MarkedSlider : public QSlider {
   };
   /// Where the middle of the handle moves, and where the groove ends below.
   Track track() const;
-  int markHeight() const { return fontMetrics().height() / 3; }
+  int markHeight() const { return fontMetrics().height() / 2; }
 
   std::vector<double> marks_;
 };

@@ -43,7 +43,7 @@ QSize ElidedLabel::minimumSizeHint() const {
 void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setPen(palette().color(QPalette::WindowText));
-  painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(text_, Qt::ElideMiddle, width()));
+  painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(text_, elide_, width()));
 }
 
 namespace {
@@ -105,7 +105,7 @@ void calm(QWidget* editor) {
 
 PropertyForm::PropertyForm(document::StudyDocument& document, QWidget* parent)
     : QWidget(parent), document_(document), layout_(new QFormLayout(this)) {
-  layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   layout_->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   layout_->setContentsMargins(0, 0, 0, 0);
   const int gap = fontMetrics().height() / 3;
@@ -163,6 +163,10 @@ QLabel* PropertyForm::note(const Field& field, std::function<QString()> get) {
   auto* label = new QLabel(this);
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
+  // A long word is no reason to widen the form.
+  QSizePolicy policy = label->sizePolicy();
+  policy.setHorizontalPolicy(QSizePolicy::Ignored);
+  label->setSizePolicy(policy);
   name(label, field);
   row(field.label, label, [label, get = std::move(get)] { label->setText(get()); });
   return label;

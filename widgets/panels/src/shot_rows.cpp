@@ -63,10 +63,10 @@ std::array<ModelText, 4> modelTexts() {
 void addSourceRows(PropertyForm& form, const std::function<std::string()>& source) {
   document::StudyDocument& document = form.document();
   const auto here = [&document, source]() -> const study::Source& { return sourceNamed(document.study(), source()); };
-  const NumberRange metres{-1000.0, 1000.0, 0.01, 3, Text::tr(" m")};
+  const NumberRange metres{-1000.0, 1000.0, 0.01, 3, {}};
   form.triple(
-      {"position", Text::tr("Position"), Text::tr("Metres: x to the person's left, y up, z ahead of the person")},
-      metres, [here] { return here().position; },
+      {"position", Text::tr("Position (m)"), Text::tr("x to the person's left, y up, z ahead of the person")}, metres,
+      [here] { return here().position; },
       [&document, source](const geometry::Vec3d& point) { commands::setSourcePosition(document, source(), point); });
   form.choice(
       {"target", Text::tr("Target"), Text::tr("Where the middle of the shots goes")},
@@ -80,7 +80,7 @@ void addSourceRows(PropertyForm& form, const std::function<std::string()>& sourc
                                   id == u"point" ? std::optional(middleOfBody(document)) : std::nullopt);
       });
   QWidget* point = form.triple(
-      {"target_point", Text::tr("Target point"), Text::tr("Metres")}, metres,
+      {"target_point", Text::tr("Target point (m)"), QString()}, metres,
       [here] { return here().target.value_or(geometry::Vec3d::Zero()); },
       [&document, source](const geometry::Vec3d& to) { commands::setSourceTarget(document, source(), to); });
   form.showRowWhile(point, [here] { return here().target.has_value(); });

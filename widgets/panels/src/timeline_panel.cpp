@@ -207,6 +207,7 @@ QWidget* TimelinePanel::makeControls() {
   row->addWidget(speed_);
   where_ = new ElidedLabel(page);
   where_->setObjectName(QStringLiteral("where"));
+  where_->setElideMode(Qt::ElideRight);
   row->addWidget(where_, 1);
   time_ = new TimeSpin([this](int frames) { step(frames); }, page);
   time_->setObjectName(QStringLiteral("time"));

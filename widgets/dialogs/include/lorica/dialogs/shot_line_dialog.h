@@ -65,7 +65,7 @@ class ShotLineDialog : public QDialog {
  private:
   QWidget* makeSourceSide();
   QWidget* makeRunSide();
-  QWidget* makeViewRow();
+  QWidget* makeViewRows();
   QWidget* makeRunRow();
   void refresh();
   void refreshSources();

@@ -23,7 +23,7 @@ class QToolButton;
 
 namespace lorica::panels {
 
-/// One line of text that is cut in its middle when there is no room for it; the whole of it is its tooltip.
+/// One line of text that is cut when there is no room for it; the whole of it is its tooltip.
 class ElidedLabel : public QWidget {
   Q_OBJECT
 
@@ -31,6 +31,7 @@ class ElidedLabel : public QWidget {
   explicit ElidedLabel(QWidget* parent = nullptr);
   void setText(const QString& text);
   const QString& text() const { return text_; }
+  void setElideMode(Qt::TextElideMode mode) { elide_ = mode; }
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -39,6 +40,7 @@ class ElidedLabel : public QWidget {
 
  private:
   QString text_;
+  Qt::TextElideMode elide_ = Qt::ElideMiddle;
 };
 
 /// A row of a form: the object name of its editor, its label, and what its tooltip says.

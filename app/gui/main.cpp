@@ -1,0 +1,61 @@
+/// \file
+/// lorica: the workbench.
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QStyleFactory>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <algorithm>
+
+#include "lorica/study/provenance.h"
+#include "lorica/study/study_file.h"
+#include "main_window.h"
+
+int main(int argc, char** argv) {
+  QSurfaceFormat format;
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication application(argc, argv);
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setOrganizationName(QStringLiteral("lorica"));
+  QApplication::setApplicationName(QStringLiteral("lorica"));
+  QApplication::setApplicationVersion(QString::fromStdString(lorica::study::version()));
+  QApplication::setDesktopFileName(QStringLiteral("lorica"));
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QApplication::translate("main", "Compares body armor on a posable digital human."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  const QCommandLineOption sample(QStringLiteral("sample"),
+                                  QApplication::translate("main", "open a sample study that is built in"),
+                                  QStringLiteral("name"));
+  parser.addOption(sample);
+  parser.addPositionalArgument(QStringLiteral("files"),
+                               QApplication::translate("main", "a study, or the files of a body, organs and armor"),
+                               QStringLiteral("[files...]"));
+  parser.process(application);
+
+  lorica::gui::MainWindow window;
+  window.show();
+  // After the window is there: what follows may ask questions.
+  QTimer::singleShot(0, &window, [&] {
+    window.offerRecovery();
+    if (window.document().hasStudy()) {
+      return;
+    }
+    if (parser.isSet(sample)) {
+      const std::string name = parser.value(sample).toStdString();
+      const std::vector<std::string> known = lorica::study::templateNames();
+      if (std::find(known.begin(), known.end(), name) != known.end()) {
+        window.openSample(name);
+      }
+    } else {
+      window.takeFiles(parser.positionalArguments());
+    }
+  });
+  return QApplication::exec();
+}

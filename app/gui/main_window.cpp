@@ -1,0 +1,581 @@
+#include "main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+#include "lorica/analysis/results.h"
+#include "lorica/base/error.h"
+#include "lorica/commands/edits.h"
+#include "lorica/dialogs/file_kinds.h"
+#include "lorica/dialogs/import_dialog.h"
+#include "lorica/study/provenance.h"
+#include "lorica/study/study_file.h"
+#include "models_menu.h"
+#include "welcome_page.h"
+
+namespace lorica::gui {
+
+namespace {
+
+namespace fs = std::filesystem;
+using document::StudyDocument;
+
+constexpr int recentLimit = 8;
+constexpr int statusSeconds = 8;
+
+fs::path pathOf(const QString& text) {
+  return fs::path(text.toStdU16String());
+}
+QString textOf(const fs::path& path) {
+  return QString::fromStdU16String(path.u16string());
+}
+
+QString studyFilter() {
+  return MainWindow::tr("Lorica studies (*.lorica.json *.json)");
+}
+
+}  // namespace
+
+MainWindow::MainWindow()
+    : autosave_(document_, document::Autosave::defaultFolder()), loader_(document_), runs_(document_) {
+  setAcceptDrops(true);
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  makePanels();
+  makeMenus();
+  makeStatusBar();
+  connectAll();
+  updateTitle();
+  updatePages();
+  updateJobs();
+  resize(1440, 900);
+}
+
+MainWindow::~MainWindow() {
+  // The view lets go of its frame before the engine that made it ends.
+  view_->showFrame(nullptr);
+}
+
+QDockWidget* MainWindow::dock(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
+  auto* made = new QDockWidget(title, this);
+  made->setObjectName(QLatin1String(name));
+  made->setWidget(content);
+  addDockWidget(area, made);
+  return made;
+}
+
+void MainWindow::makePanels() {
+  pages_ = new QStackedWidget;
+  welcome_ = new WelcomePage;
+  welcome_->setRecentFiles(recentFiles());
+  pages_->addWidget(welcome_);
+  auto* work = new QWidget;
+  auto* column = new QVBoxLayout(work);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  view_ = new viewport::SceneView(document_);
+  timeline_ = new panels::TimelinePanel(document_);
+  column->addWidget(view_, 1);
+  column->addWidget(timeline_);
+  pages_->addWidget(work);
+  setCentralWidget(pages_);
+
+  project_ = new panels::ProjectPanel(document_);
+  properties_ = new panels::PropertiesPanel(document_);
+  results_ = new panels::ResultsPanel(document_);
+  chart_ = new panels::CoverageChart;
+  problems_ = new panels::ProblemsPanel(document_);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  QDockWidget* projectDock = dock(tr("Project"), "project", project_, Qt::LeftDockWidgetArea);
+  QDockWidget* propertiesDock = dock(tr("Properties"), "properties", properties_, Qt::LeftDockWidgetArea);
+  resultsDock_ = dock(tr("Results"), "results", results_, Qt::BottomDockWidgetArea);
+  QDockWidget* chartDock = dock(tr("Chart"), "chart", chart_, Qt::BottomDockWidgetArea);
+  problemsDock_ = dock(tr("Problems"), "problems", problems_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(resultsDock_, problemsDock_);
+  resultsDock_->raise();
+  resizeDocks({projectDock, propertiesDock}, {420, 300}, Qt::Vertical);
+  resizeDocks({projectDock}, {320}, Qt::Horizontal);
+  resizeDocks({resultsDock_, chartDock}, {640, 480}, Qt::Horizontal);
+  resizeDocks({resultsDock_}, {290}, Qt::Vertical);
+  shotLines_ = new dialogs::ShotLineDialog(document_, runs_, this);
+}
+
+void MainWindow::makeMenus() {
+  makeFileMenu();
+  makeEditMenu();
+  makeViewMenu();
+  makeAnalysisMenu();
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  help->addAction(tr("&About Lorica"), this, [this] {
+    QMessageBox::about(this, tr("About Lorica"),
+                       tr("<b>Lorica %1</b><p>Compares designs of body armor on a digital human that takes the "
+                          "postures of real tasks. The purpose is protective: it says which part of a person armor "
+                          "covers, nothing about what a hit does.</p><p>Free software under the GNU General Public "
+                          "License, version 3 or later.</p>")
+                           .arg(QString::fromStdString(study::version())));
+  });
+}
+
+void MainWindow::makeFileMenu() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  file->addAction(tr("&Open..."), QKeySequence::Open, this, &MainWindow::chooseAndOpen);
+  recentMenu_ = file->addMenu(tr("Open &recent"));
+  connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+  QMenu* samples = file->addMenu(tr("Open a s&ample"));
+  for (const std::string& name : study::templateNames()) {
+    samples->addAction(QString::fromStdString(name), this, [this, name] {
+      if (mayDiscard()) {
+        openSample(name);
+      }
+    });
+  }
+  file->addAction(tr("&Import..."), QKeySequence(tr("Ctrl+I")), this, [this] { importFiles({}); });
+  file->addSeparator();
+  QAction* saveAction = file->addAction(tr("&Save"), QKeySequence::Save, this, &MainWindow::save);
+  QAction* saveAsAction = file->addAction(tr("Save &as..."), QKeySequence::SaveAs, this, &MainWindow::saveAs);
+  file->addSeparator();
+  QAction* tables = file->addAction(tr("Save result &tables..."), this, [this] { saveTables(results_->run()); });
+  QAction* picture = file->addAction(tr("Save &picture..."), this, &MainWindow::savePicture);
+  file->addSeparator();
+  file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+  const auto enable = [this, saveAction, saveAsAction, tables, picture] {
+    saveAction->setEnabled(document_.hasStudy());
+    saveAsAction->setEnabled(document_.hasStudy());
+    picture->setEnabled(document_.hasStudy());
+    tables->setEnabled(results_->run() != nullptr);
+  };
+  connect(file, &QMenu::aboutToShow, this, enable);
+}
+
+void MainWindow::makeEditMenu() {
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = document_.undoStack().createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  QAction* redo = document_.undoStack().createRedoAction(this, tr("&Redo"));
+  redo->setShortcut(QKeySequence::Redo);
+  edit->addAction(undo);
+  edit->addAction(redo);
+}
+
+void MainWindow::makeViewMenu() {
+  using viewport::StandardView;
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  const auto look = [&](const QString& text, const char* key, StandardView from) {
+    menu->addAction(text, QKeySequence(QLatin1String(key)), this, [this, from] { view_->lookFrom(from); });
+  };
+  look(tr("From the &front"), "1", StandardView::front);
+  look(tr("From the &back"), "2", StandardView::back);
+  look(tr("From the person's &left"), "3", StandardView::left);
+  look(tr("From the person's &right"), "4", StandardView::right);
+  look(tr("From &above"), "5", StandardView::top);
+  look(tr("From b&elow"), "6", StandardView::bottom);
+  menu->addAction(tr("&Whole body"), QKeySequence(tr("F")), view_, &viewport::SceneView::fit);
+  menu->addSeparator();
+  for (QAction* action : {timeline_->playAction(), timeline_->stepBackAction(), timeline_->stepForwardAction()}) {
+    menu->addAction(action);
+  }
+  menu->addSeparator();
+  panelsMenu_ = menu->addMenu(tr("&Panels"));
+  for (const QDockWidget* panel : findChildren<QDockWidget*>()) {
+    panelsMenu_->addAction(panel->toggleViewAction());
+  }
+}
+
+void MainWindow::makeAnalysisMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Analysis"));
+  QAction* shotLines =
+      menu->addAction(tr("Shot &lines..."), QKeySequence(tr("Ctrl+L")), this, &MainWindow::showShotLines);
+  QAction* run = menu->addAction(tr("&Run"), QKeySequence(tr("Ctrl+R")), this, [this] {
+    if (const QString why = runs_.start(); !why.isEmpty()) {
+      complain(tr("The study cannot be run."), why);
+    }
+  });
+  menu->addAction(tr("&Stop the run"), &runs_, &jobs::RunController::cancel);
+  auto* bar = addToolBar(tr("Tools"));
+  bar->setObjectName(QStringLiteral("tools"));
+  bar->setMovable(false);
+  bar->addAction(shotLines);
+  bar->addAction(run);
+  bar->addSeparator();
+  bar->addWidget(new ModelChooser(document_));
+}
+
+void MainWindow::makeStatusBar() {
+  working_ = new QLabel;
+  progress_ = new QProgressBar;
+  progress_->setRange(0, 1000);
+  progress_->setMaximumWidth(200);
+  progress_->setTextVisible(false);
+  cancel_ = new QToolButton;
+  cancel_->setText(tr("Cancel"));
+  timing_ = new QLabel;
+  timing_->setToolTip(tr("Time to pose skin, organs and armor and to make them ready for rays; time to draw them"));
+  for (QWidget* widget : {static_cast<QWidget*>(working_), static_cast<QWidget*>(progress_),
+                          static_cast<QWidget*>(cancel_), static_cast<QWidget*>(timing_)}) {
+    statusBar()->addPermanentWidget(widget);
+  }
+  connect(cancel_, &QToolButton::clicked, &runs_, &jobs::RunController::cancel);
+}
+
+void MainWindow::connectAll() {
+  connect(&document_, &StudyDocument::fileChanged, this, &MainWindow::updateTitle);
+  connect(&document_, &StudyDocument::replaced, this, [this] {
+    engine_.setStudy(nullptr);
+    view_->showFrame(nullptr);
+    updatePages();
+  });
+  connect(&document_, &StudyDocument::loadedChanged, this, [this] {
+    engine_.setStudy(document_.loaded());
+    requestFrame();
+  });
+  connect(&document_, &StudyDocument::shownPoseChanged, this, &MainWindow::requestFrame);
+  connect(&document_, &StudyDocument::shownModelsChanged, this, &MainWindow::requestFrame);
+  connect(&engine_, &jobs::FrameEngine::frameReady, this, &MainWindow::takeFrame);
+  connect(&engine_, &jobs::FrameEngine::failed, this,
+          [this](const QString& text) { statusBar()->showMessage(text, 1000 * statusSeconds); });
+  timeline_->setBusyCheck([this] { return engine_.isBusy(); });
+  settle_.setSingleShot(true);
+  settle_.setInterval(250);
+  connect(&settle_, &QTimer::timeout, this, [this] { view_->setMoving(false); });
+
+  connect(&loader_, &jobs::StudyLoader::started, this, [this] {
+    connect(loader_.job(), &jobs::Job::progressed, this, &MainWindow::updateJobs);
+    updateJobs();
+  });
+  connect(&loader_, &jobs::StudyLoader::ended, this, &MainWindow::updateJobs);
+  connect(&runs_, &jobs::RunController::started, this, [this] {
+    connect(runs_.job(), &jobs::Job::progressed, this, &MainWindow::updateJobs);
+    updateJobs();
+  });
+  connect(&runs_, &jobs::RunController::ended, this, &MainWindow::updateJobs);
+  connect(&runs_, &jobs::RunController::finished, this, [this](bool partial) {
+    resultsDock_->raise();
+    statusBar()->showMessage(partial ? tr("The run was stopped; what was finished is kept and marked as partial.")
+                                     : tr("The run is finished."),
+                             1000 * statusSeconds);
+  });
+  connect(&runs_, &jobs::RunController::failed, this,
+          [this](const QString& text) { complain(tr("The run failed."), text); });
+
+  connect(results_, &panels::ResultsPanel::runShown, chart_, &panels::CoverageChart::setRun);
+  connect(results_, &panels::ResultsPanel::saveRequested, this, &MainWindow::saveTables);
+  connect(chart_, &panels::CoverageChart::organPicked, this, [this](const std::string& organ) {
+    document_.select(document::ItemRef{document::ItemKind::organ, organ});
+  });
+  connect(problems_, &panels::ProblemsPanel::countChanged, this, [this](int errors, int warnings) {
+    problemsDock_->setWindowTitle(errors + warnings == 0 ? tr("Problems") : tr("Problems (%1)").arg(errors + warnings));
+    if (errors > 0) {
+      problemsDock_->raise();
+    }
+  });
+  connect(&autosave_, &document::Autosave::failed, this,
+          [this](const QString& text) { statusBar()->showMessage(text, 1000 * statusSeconds); });
+
+  connect(shotLines_, &dialogs::ShotLineDialog::shotDisplayChanged, this, [this](const dialogs::ShotDisplay& display) {
+    shots_ = display;
+    view_->setShotFilter(display.onlyFirstHit);
+    requestFrame();
+  });
+  connect(shotLines_, &dialogs::ShotLineDialog::pickRequested, this, [this](bool on) {
+    const auto& sources = document_.study().sources;
+    const auto source = std::find_if(sources.begin(), sources.end(),
+                                     [this](const study::Source& s) { return s.name == shotLines_->source(); });
+    view_->pickSource(on && source != sources.end() ? std::optional(source->position) : std::nullopt);
+  });
+  connect(view_, &viewport::SceneView::picked, shotLines_, &dialogs::ShotLineDialog::setPickedPoint);
+
+  connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::chooseAndOpen);
+  connect(welcome_, &WelcomePage::importRequested, this, [this] { importFiles({}); });
+  connect(welcome_, &WelcomePage::sampleRequested, this, [this] { openSample("sample"); });
+  connect(welcome_, &WelcomePage::fileRequested, this, &MainWindow::openFile);
+}
+
+// --- files ----------------------------------------------------------------------------------------------------------
+
+void MainWindow::complain(const QString& what, const QString& why) {
+  QMessageBox box(QMessageBox::Warning, tr("Lorica"), what, QMessageBox::Ok, this);
+  box.setInformativeText(why);
+  box.exec();
+}
+
+bool MainWindow::openFile(const QString& file) {
+  if (!mayDiscard()) {
+    return false;
+  }
+  try {
+    document_.open(pathOf(file));
+  } catch (const base::Error& error) {
+    complain(tr("The study cannot be opened."), QString::fromUtf8(error.what()));
+    return false;
+  }
+  remember(file);
+  return true;
+}
+
+void MainWindow::openSample(const std::string& name) {
+  document_.setStudy(study::parseStudy(study::templateText(name), name),
+                     pathOf(QDir::current().filePath(QString::fromStdString(name) + QStringLiteral(".lorica.json"))));
+}
+
+void MainWindow::chooseAndOpen() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a study"), {}, studyFilter());
+  if (!file.isEmpty()) {
+    openFile(file);
+  }
+}
+
+bool MainWindow::save() {
+  if (!document_.hasFile()) {
+    return saveAs();
+  }
+  try {
+    document_.save();
+  } catch (const base::Error& error) {
+    complain(tr("The study cannot be saved."), QString::fromUtf8(error.what()));
+    return false;
+  }
+  return true;
+}
+
+bool MainWindow::saveAs() {
+  const fs::path& proposal = document_.hasFile() ? document_.savedFile() : document_.file();
+  QString file = QFileDialog::getSaveFileName(this, tr("Save the study as"), textOf(proposal), studyFilter());
+  if (file.isEmpty()) {
+    return false;
+  }
+  if (!file.endsWith(QLatin1String(".json"))) {
+    file += QStringLiteral(".lorica.json");
+  }
+  try {
+    document_.saveAs(pathOf(file));
+  } catch (const base::Error& error) {
+    complain(tr("The study cannot be saved."), QString::fromUtf8(error.what()));
+    return false;
+  }
+  remember(file);
+  return true;
+}
+
+void MainWindow::importFiles(const QStringList& files) {
+  dialogs::ImportDialog dialog(document_, this);
+  std::vector<fs::path> paths;
+  for (const QString& file : files) {
+    paths.push_back(pathOf(file));
+  }
+  dialog.addFiles(paths);
+  if (dialog.exec() != QDialog::Accepted) {
+    return;
+  }
+  if (dialog.addsToOpenStudy()) {
+    commands::replaceStudy(document_, dialog.study(), dialog.addText());
+  } else if (mayDiscard()) {
+    document_.setStudy(dialog.study(), dialog.suggestedFile());
+  }
+}
+
+void MainWindow::takeFiles(const QStringList& files) {
+  QStringList meshes;
+  for (const QString& file : files) {
+    if (dialogs::isStudyFile(pathOf(file))) {
+      openFile(file);
+      return;
+    }
+    meshes.push_back(file);
+  }
+  if (!meshes.isEmpty()) {
+    importFiles(meshes);
+  }
+}
+
+void MainWindow::saveTables(const std::shared_ptr<const document::RunRecord>& run) {
+  if (run == nullptr) {
+    return;
+  }
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for summary.csv, trials.csv, "
+                                                                    "provenance.json"));
+  if (folder.isEmpty()) {
+    return;
+  }
+  try {
+    analysis::writeResults(*run->study, run->result, pathOf(folder));
+    statusBar()->showMessage(tr("The tables are in %1").arg(folder), 1000 * statusSeconds);
+  } catch (const base::Error& error) {
+    complain(tr("The tables cannot be saved."), QString::fromUtf8(error.what()));
+  }
+}
+
+void MainWindow::savePicture() {
+  QString file = QFileDialog::getSaveFileName(this, tr("Save the picture as"), {}, tr("PNG pictures (*.png)"));
+  if (file.isEmpty()) {
+    return;
+  }
+  if (!file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) {
+    file += QStringLiteral(".png");
+  }
+  if (!view_->picture().save(file)) {
+    complain(tr("The picture cannot be saved."), tr("%1 cannot be written; choose another place.").arg(file));
+  }
+}
+
+bool MainWindow::mayDiscard() {
+  if (!document_.hasStudy() || !document_.isModified() || !document_.undoStack().canUndo()) {
+    return true;
+  }
+  QMessageBox box(QMessageBox::Question, tr("Lorica"), tr("%1 has unsaved edits.").arg(document_.displayName()),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setInformativeText(tr("Save them first?"));
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      return save();
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+QStringList MainWindow::recentFiles() const {
+  return QSettings().value(QStringLiteral("recent")).toStringList();
+}
+
+void MainWindow::remember(const QString& file) {
+  QStringList files = recentFiles();
+  const QString absolute = QFileInfo(file).absoluteFilePath();
+  files.removeAll(absolute);
+  files.prepend(absolute);
+  files = files.mid(0, recentLimit);
+  QSettings().setValue(QStringLiteral("recent"), files);
+  welcome_->setRecentFiles(files);
+}
+
+void MainWindow::fillRecentMenu() {
+  recentMenu_->clear();
+  for (const QString& file : recentFiles()) {
+    recentMenu_->addAction(file, this, [this, file] { openFile(file); });
+  }
+  if (recentMenu_->isEmpty()) {
+    recentMenu_->addAction(tr("none yet"))->setEnabled(false);
+  }
+}
+
+void MainWindow::offerRecovery() {
+  for (const document::Recovered& found : document::findRecovered(document::Autosave::defaultFolder())) {
+    QMessageBox box(QMessageBox::Question, tr("Lorica"),
+                    tr("Lorica ended while %1 had unsaved edits.").arg(textOf(found.file.filename())),
+                    QMessageBox::NoButton, this);
+    box.setInformativeText(tr("They were kept on %1.").arg(QString::fromStdString(found.when)));
+    const QPushButton* take = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
+    const QPushButton* drop = box.addButton(tr("Throw away"), QMessageBox::DestructiveRole);
+    box.addButton(tr("Later"), QMessageBox::RejectRole);
+    box.exec();
+    if (take == box.clickedButton()) {
+      document_.restore(found.study, found.file, found.hadFile);
+      autosave_.writeNow();
+      document::discardRecovered(found);
+      return;
+    }
+    if (drop == box.clickedButton()) {
+      document::discardRecovered(found);
+    }
+  }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayDiscard()) {
+    event->ignore();
+    return;
+  }
+  runs_.cancel();
+  document_.close();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList files;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (url.isLocalFile()) {
+      files.push_back(url.toLocalFile());
+    }
+  }
+  event->acceptProposedAction();
+  // The one who dropped must not wait for a dialog.
+  QTimer::singleShot(0, this, [this, files] { takeFiles(files); });
+}
+
+// --- what is shown --------------------------------------------------------------------------------------------------
+
+void MainWindow::showShotLines() {
+  shotLines_->show();
+  shotLines_->raise();
+  shotLines_->activateWindow();
+}
+
+void MainWindow::requestFrame() {
+  if (document_.loaded() == nullptr) {
+    return;
+  }
+  jobs::FrameRequest request;
+  request.pose = document_.shownPose();
+  request.models = document_.shownModels();
+  if (shots_.on) {
+    request.shotSource = shots_.source;
+    request.shotLimit = shots_.limit;
+  }
+  view_->setMoving(true);
+  engine_.request(std::move(request));
+}
+
+void MainWindow::takeFrame(const std::shared_ptr<const jobs::Frame>& frame) {
+  if (frame->study != document_.loaded()) {
+    return;
+  }
+  view_->showFrame(frame);
+  timing_->setText(tr("pose %1 ms, draw %2 ms").arg(frame->engineMs, 0, 'f', 1).arg(view_->drawMs(), 0, 'f', 0));
+  settle_.start();
+}
+
+void MainWindow::updateTitle() {
+  setWindowTitle(document_.hasStudy() ? tr("%1[*] - Lorica").arg(document_.displayName()) : tr("Lorica"));
+  setWindowModified(document_.hasStudy() && document_.isModified());
+}
+
+void MainWindow::updatePages() {
+  pages_->setCurrentIndex(document_.hasStudy() ? 1 : 0);
+}
+
+void MainWindow::updateJobs() {
+  const jobs::Job* job = runs_.job() != nullptr ? runs_.job() : loader_.job();
+  for (QWidget* widget : {static_cast<QWidget*>(working_), static_cast<QWidget*>(progress_)}) {
+    widget->setVisible(job != nullptr);
+  }
+  cancel_->setVisible(runs_.job() != nullptr);
+  if (job != nullptr) {
+    const QString left = job->timeLeft();
+    working_->setText(left.isEmpty() ? job->title() : tr("%1, %2").arg(job->title(), left));
+    progress_->setValue(static_cast<int>(1000.0 * job->progress()));
+  }
+}
+
+}  // namespace lorica::gui

@@ -1,0 +1,125 @@
+#pragma once
+
+/// \file
+/// The window: it only wires the document, the jobs, the view, panels and dialogs together.
+
+#include <QMainWindow>
+#include <QStringList>
+#include <filesystem>
+#include <memory>
+
+#include "lorica/dialogs/shot_line_dialog.h"
+#include "lorica/document/recovery.h"
+#include "lorica/document/study_document.h"
+#include "lorica/jobs/frame_engine.h"
+#include "lorica/jobs/run_controller.h"
+#include "lorica/jobs/study_loader.h"
+#include "lorica/panels/coverage_chart.h"
+#include "lorica/panels/problems_panel.h"
+#include "lorica/panels/project_panel.h"
+#include "lorica/panels/properties_panel.h"
+#include "lorica/panels/results_panel.h"
+#include "lorica/panels/timeline_panel.h"
+#include "lorica/viewport/scene_view.h"
+
+class QDockWidget;
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QStackedWidget;
+class QToolButton;
+
+namespace lorica::gui {
+
+class WelcomePage;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  MainWindow();
+  ~MainWindow() override;
+
+  document::StudyDocument& document() { return document_; }
+  viewport::SceneView& view() { return *view_; }
+  jobs::StudyLoader& loader() { return loader_; }
+  jobs::RunController& runs() { return runs_; }
+  jobs::FrameEngine& engine() { return engine_; }
+  panels::ResultsPanel& results() { return *results_; }
+  panels::CoverageChart& chart() { return *chart_; }
+  dialogs::ShotLineDialog& shotLines() { return *shotLines_; }
+
+  /// Opens a study file; says why when it cannot be. \return whether it is open now
+  bool openFile(const QString& file);
+  /// Opens a sample built into the program.
+  void openSample(const std::string& name);
+  /// Takes studies and meshes that were dropped or named on the command line.
+  void takeFiles(const QStringList& files);
+  /// Offers what a crash left behind.
+  void offerRecovery();
+  void showShotLines();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void makePanels();
+  void makeMenus();
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeViewMenu();
+  void makeAnalysisMenu();
+  void makeStatusBar();
+  void connectAll();
+  QDockWidget* dock(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
+
+  void chooseAndOpen();
+  bool save();
+  bool saveAs();
+  void importFiles(const QStringList& files);
+  void saveTables(const std::shared_ptr<const document::RunRecord>& run);
+  void savePicture();
+  /// Asks what becomes of unsaved edits. \return whether to go on
+  bool mayDiscard();
+  void remember(const QString& file);
+  QStringList recentFiles() const;
+  void fillRecentMenu();
+  void complain(const QString& what, const QString& why);
+
+  void requestFrame();
+  void takeFrame(const std::shared_ptr<const jobs::Frame>& frame);
+  void updateTitle();
+  void updatePages();
+  void updateJobs();
+
+  document::StudyDocument document_;
+  document::Autosave autosave_;
+  jobs::StudyLoader loader_;
+  jobs::FrameEngine engine_;
+  jobs::RunController runs_;
+  dialogs::ShotDisplay shots_;
+
+  QStackedWidget* pages_ = nullptr;
+  WelcomePage* welcome_ = nullptr;
+  viewport::SceneView* view_ = nullptr;
+  panels::TimelinePanel* timeline_ = nullptr;
+  panels::ProjectPanel* project_ = nullptr;
+  panels::PropertiesPanel* properties_ = nullptr;
+  panels::ResultsPanel* results_ = nullptr;
+  panels::CoverageChart* chart_ = nullptr;
+  panels::ProblemsPanel* problems_ = nullptr;
+  dialogs::ShotLineDialog* shotLines_ = nullptr;
+  QDockWidget* resultsDock_ = nullptr;
+  QDockWidget* problemsDock_ = nullptr;
+  QMenu* panelsMenu_ = nullptr;
+  QMenu* recentMenu_ = nullptr;
+  QLabel* timing_ = nullptr;
+  QLabel* working_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QToolButton* cancel_ = nullptr;
+  QTimer settle_;  ///< after the last frame of a motion the view is drawn in full
+};
+
+}  // namespace lorica::gui
