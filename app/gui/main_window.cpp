@@ -68,8 +68,10 @@ MainWindow::MainWindow()
 }
 
 MainWindow::~MainWindow() {
-  // The view lets go of its frame before the engine that made it ends.
+  // Panels look at the document until they are gone, so they go first, and unseen.
+  hide();
   view_->showFrame(nullptr);
+  qDeleteAll(findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
 }
 
 QDockWidget* MainWindow::dock(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {

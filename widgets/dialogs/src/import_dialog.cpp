@@ -67,6 +67,14 @@ std::size_t pieceCount(const study::Study& study) {
   return count;
 }
 
+QString organsText(std::size_t count) {
+  return count == 1 ? ImportDialog::tr("1 organ") : ImportDialog::tr("%1 organs").arg(count);
+}
+
+QString piecesText(std::size_t count) {
+  return count == 1 ? ImportDialog::tr("1 armor piece") : ImportDialog::tr("%1 armor pieces").arg(count);
+}
+
 void makeCalm(QTableWidget* table) {
   table->verticalHeader()->hide();
   table->setShowGrid(false);
@@ -250,6 +258,7 @@ QWidget* ImportDialog::makePreview() {
 }
 
 void ImportDialog::addFiles(const std::vector<fs::path>& files) {
+  const bool first = entries_.empty();
   QStringList refused;
   for (const fs::path& file : files) {
     const bool known = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.file == file; });
@@ -265,6 +274,13 @@ void ImportDialog::addFiles(const std::vector<fs::path>& files) {
     }
   }
   refused_ = refused.join(u'\n');
+  if (first && !entries_.empty() && document_.hasStudy()) {
+    // Files without a body among them are meant for the study that is open.
+    const std::vector<FileRole> guessed = guessRoles(files, false);
+    if (std::find(guessed.begin(), guessed.end(), FileRole::ignore) == guessed.end()) {
+      openStudy_->setChecked(true);
+    }
+  }
   guess();
   rebuildTable();
   changed();
@@ -507,7 +523,7 @@ void ImportDialog::showIssues(const base::Issues& issues) {
     what->setToolTip(what->text());
     preview_->setItem(row, 2, what);
     for (int section = 0; section < 3; ++section) {
-      preview_->item(row, section)->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
+      preview_->item(row, section)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     }
   }
   preview_->resizeRowsToContents();
@@ -526,7 +542,7 @@ void ImportDialog::showState() {
     said.append(tr("Reading the files..."));
   } else if (imported_) {
     const study::Study& made = imported_->study;
-    said.append(tr("The study will have %1 organs and %2 armor pieces.").arg(made.organs.size()).arg(pieceCount(made)));
+    said.append(tr("The study will have %1 and %2.").arg(organsText(made.organs.size()), piecesText(pieceCount(made))));
   }
   message_->setText(said.join(u'\n'));
   progress_->setVisible(job_ != nullptr);
@@ -578,8 +594,8 @@ QString ImportDialog::addText() const {
   LORICA_CHECK(imported_.has_value(), "the dialog was accepted");
   const std::size_t organs = imported_->study.organs.size() - document_.study().organs.size();
   const std::size_t pieces = pieceCount(imported_->study) - pieceCount(document_.study());
-  const QString someOrgans = organs == 1 ? tr("1 organ") : tr("%1 organs").arg(organs);
-  const QString somePieces = pieces == 1 ? tr("1 armor piece") : tr("%1 armor pieces").arg(pieces);
+  const QString someOrgans = organsText(organs);
+  const QString somePieces = piecesText(pieces);
   if (pieces == 0) {
     return tr("Add %1").arg(someOrgans);
   }

@@ -179,7 +179,7 @@ QWidget* ShotLineDialog::makeRunSide() {
   column->addWidget(poses_, 1);
   runForm_ = new panels::PropertyForm(document_, group);
   panels::addRunRows(*runForm_);
-  systems_ = runForm_->fact({"systems", tr("Armor")}, [this] {
+  runForm_->note({"systems", tr("Armor")}, [this] {
     QStringList names{tr("unarmored")};
     for (const study::ArmorSystem& system : document_.study().systems) {
       names.append(shown(system.name));
@@ -196,9 +196,9 @@ QWidget* ShotLineDialog::makeViewRows() {
   column->setContentsMargins(0, 0, 0, 0);
   showShots_ = new QCheckBox(tr("Show shots in the view"), group);
   showShots_->setObjectName(QStringLiteral("show_shots"));
-  column->addWidget(showShots_);
-  auto* row = new QHBoxLayout;
-  column->addLayout(row);
+  auto* upper = new QHBoxLayout;
+  column->addLayout(upper);
+  upper->addWidget(showShots_, 1);
   limit_ = new QSpinBox(group);
   limit_->setObjectName(QStringLiteral("limit"));
   limit_->setAccessibleName(tr("How many shots are shown"));
@@ -207,9 +207,12 @@ QWidget* ShotLineDialog::makeViewRows() {
   limit_->setSingleStep(100);
   limit_->setValue(300);
   limit_->setPrefix(tr("first "));
+  limit_->setSuffix(tr(" shots"));
   limit_->setKeyboardTracking(false);
-  row->addWidget(limit_);
-  auto* label = new QLabel(tr("that meet first"), group);
+  upper->addWidget(limit_);
+  auto* row = new QHBoxLayout;
+  column->addLayout(row);
+  auto* label = new QLabel(tr("Only those that first meet"), group);
   row->addWidget(label);
   firstHit_ = new QComboBox(group);
   firstHit_->setObjectName(QStringLiteral("first_hit"));
@@ -284,6 +287,9 @@ void ShotLineDialog::refresh() {
     refreshSources();
     refreshPoses();
     refreshStructures();
+  }
+  for (auto* group : findChildren<QGroupBox*>()) {
+    group->setEnabled(document_.hasStudy());
   }
   sourceForm_->refresh();
   runForm_->refresh();

@@ -554,8 +554,8 @@ void fillRun(PropertyForm& form, const std::string& name) {
   if (found == runs.end()) {
     return;
   }
-  const std::shared_ptr<const document::RunRecord> run = *found;
-  const analysis::RunResult& result = run->result;
+  const document::RunRecord& run = **found;
+  const analysis::RunResult& result = run.result;
   raycast::CastCounts counts;
   std::size_t finished = 0;
   for (const analysis::SourcePoseResult& part : result.results) {
@@ -568,7 +568,7 @@ void fillRun(PropertyForm& form, const std::string& name) {
       value->setToolTip(tip);
     }
   };
-  fixedFact("name", Text::tr("Name"), shown(run->name));
+  fixedFact("name", Text::tr("Name"), shown(run.name));
   fixedFact("state", Text::tr("State"), result.partial ? Text::tr("partial: it was cancelled") : Text::tr("complete"));
   std::vector<std::string> sources;
   for (const analysis::ShotSource& source : result.sources) {

@@ -223,7 +223,7 @@ QDoubleSpinBox* PropertyForm::makeSpin(const NumberRange& range) {
   spin->setSuffix(range.suffix);
   spin->setKeyboardTracking(false);
   spin->setGroupSeparatorShown(range.high > 1000.0);
-  spin->setMinimumWidth(fontMetrics().averageCharWidth() * 9);
+  spin->setMinimumWidth(fontMetrics().averageCharWidth() * 8);
   spin->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   calm(spin);
   return spin;
@@ -243,7 +243,7 @@ QDoubleSpinBox* PropertyForm::number(const Field& field, const NumberRange& rang
 }
 
 QWidget* PropertyForm::triple(const Field& field, const NumberRange& range, std::function<geometry::Vec3d()> get,
-                              std::function<void(const geometry::Vec3d&)> set) {
+                              const std::function<void(const geometry::Vec3d&)>& set) {
   auto* group = new QWidget(this);
   name(group, field);
   auto* layout = new QHBoxLayout(group);
@@ -323,7 +323,7 @@ QCheckBox* PropertyForm::check(const Field& field, const QString& text, std::fun
   return box;
 }
 
-QToolButton* PropertyForm::colour(const Field& field, std::function<QColor()> get,
+QToolButton* PropertyForm::colour(const Field& field, const std::function<QColor()>& get,
                                   std::function<void(const QColor&)> set, std::function<void()> reset) {
   auto* group = new QWidget(this);
   auto* layout = new QHBoxLayout(group);

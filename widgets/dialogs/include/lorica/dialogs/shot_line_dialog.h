@@ -23,7 +23,6 @@ class QSpinBox;
 class QToolButton;
 
 namespace lorica::panels {
-class ElidedLabel;
 class PropertyForm;
 }  // namespace lorica::panels
 
@@ -97,7 +96,6 @@ class ShotLineDialog : public QDialog {
   QPushButton* pick_ = nullptr;
   QListWidget* poses_ = nullptr;
   panels::PropertyForm* runForm_ = nullptr;
-  panels::ElidedLabel* systems_ = nullptr;
   QCheckBox* showShots_ = nullptr;
   QSpinBox* limit_ = nullptr;
   QComboBox* firstHit_ = nullptr;

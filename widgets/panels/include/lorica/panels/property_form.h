@@ -89,13 +89,13 @@ class PropertyForm : public QWidget {
                          std::function<void(double)> set);
   /// Three numbers in a row; their object names end in _x, _y and _z.
   QWidget* triple(const Field& field, const NumberRange& range, std::function<geometry::Vec3d()> get,
-                  std::function<void(const geometry::Vec3d&)> set);
+                  const std::function<void(const geometry::Vec3d&)>& set);
   /// \param choices asked again by every refresh
   QComboBox* choice(const Field& field, std::function<std::vector<Choice>()> choices, std::function<QString()> get,
                     std::function<void(const QString&)> set);
   QCheckBox* check(const Field& field, const QString& text, std::function<bool()> get, std::function<void(bool)> set);
   /// A colour, and a button that goes back to the program's default.
-  QToolButton* colour(const Field& field, std::function<QColor()> get, std::function<void(const QColor&)> set,
+  QToolButton* colour(const Field& field, const std::function<QColor()>& get, std::function<void(const QColor&)> set,
                       std::function<void()> reset);
   /// A row of any widget. \param update called by refresh(); may be empty
   void row(const QString& label, QWidget* widget, std::function<void()> update = {});

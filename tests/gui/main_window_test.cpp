@@ -1,0 +1,340 @@
+#include "main_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDir>
+#include <QDropEvent>
+#include <QFile>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QUndoStack>
+#include <numeric>
+
+#include "lorica/commands/edits.h"
+#include "lorica/dialogs/import_dialog.h"
+#include "lorica/geometry/primitives.h"
+#include "lorica/io/export.h"
+#include "lorica/study/study_file.h"
+
+namespace lorica::gui {
+namespace {
+
+using document::ItemKind;
+using document::ItemRef;
+using viscera::OrganModel;
+
+constexpr int patience = 30000;
+
+/// A window on the sample study, saved in a folder of its own, drawn once.
+class Window : public testing::Test {
+ protected:
+  Window() {
+    study::Study study = study::parseStudy(study::templateText("sample"), "sample");
+    study.sources.front().shots = 2000;
+    study.trials = 2;
+    study.runPoses = {"rest", "toe_touch@2"};
+    file_ = QDir(folder_.path()).filePath("sample.lorica.json");
+    study::saveStudy(study, file_.toStdString());
+    window_.resize(1200, 800);
+    window_.show();
+  }
+
+  void open() {
+    ASSERT_TRUE(window_.openFile(file_));
+    waitForFrame("rest");
+  }
+  /// Until this pose is what the view shows.
+  void waitForFrame(const std::string& pose) {
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          const auto& frame = window_.view().frame();
+          return window_.loader().isInStep() && frame != nullptr && frame->pose == pose &&
+                 frame->study == window_.document().loaded() &&
+                 frame->scene->models() == window_.document().shownModels() && !window_.engine().isBusy();
+        },
+        patience));
+    QCoreApplication::processEvents();
+  }
+  std::string bytes() { return study::studyText(window_.document().study()); }
+  QImage picture() { return window_.view().picture(); }
+
+  /// Presses a button of the next message box, and keeps what it said.
+  void answer(QMessageBox::StandardButton button) {
+    auto* timer = new QTimer(&window_);
+    QObject::connect(timer, &QTimer::timeout, &window_, [this, timer, button] {
+      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+        said_ = box->text() + " " + box->informativeText();
+        timer->deleteLater();
+        box->button(button)->click();
+      }
+    });
+    timer->start(20);
+  }
+
+  QTemporaryDir folder_;
+  QString file_;
+  QString said_;
+  MainWindow window_;
+};
+
+/// How many pixels differ clearly.
+int differing(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) {
+    return a.width() * a.height();
+  }
+  int count = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y);
+      const QRgb q = b.pixel(x, y);
+      count += std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q)) > 40;
+    }
+  }
+  return count;
+}
+
+/// Pixels that are clearly more of one primary than of the others: 0 red, 1 green, 2 blue.
+int ofColour(const QImage& image, int primary) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const QRgb p = image.pixel(x, y);
+      const std::array channels{qRed(p), qGreen(p), qBlue(p)};
+      const int mine = channels.at(static_cast<std::size_t>(primary));
+      count += mine > 60 && 2 * mine > 3 * (channels[0] + channels[1] + channels[2] - mine);
+    }
+  }
+  return count;
+}
+
+TEST_F(Window, ShowsTheBodyOfAStudyThatIsOpened) {
+  EXPECT_EQ(window_.view().frame(), nullptr);
+  open();
+  const QImage shown = picture();
+  window_.view().showFrame(nullptr);
+  EXPECT_GT(differing(shown, picture()), 5000) << "a body, organs and armor cover this much at least";
+}
+
+TEST_F(Window, ScrubbingDeformsWhatIsSeenAndRestComesBackToThePixel) {
+  open();
+  QTest::qWait(400);  // until the view draws in full again
+  const QImage rest = picture();
+  window_.document().showPose("toe_touch@2");
+  waitForFrame("toe_touch@2");
+  EXPECT_GT(differing(rest, picture()), 5000);
+  window_.document().showPose("rest");
+  waitForFrame("rest");
+  QTest::qWait(400);
+  EXPECT_EQ(differing(rest, picture()), 0);
+}
+
+TEST_F(Window, VerticesReachTheViewWithoutACopyAndAreTheEnginesOwn) {
+  open();
+  window_.document().showPose("toe_touch@2");
+  waitForFrame("toe_touch@2");
+  const jobs::Frame& frame = *window_.view().frame();
+  const analysis::LoadedStudy& study = *frame.study;
+  const analysis::PosedScene scene(study, frame.scene->models(), analysis::resolvePose(study, "toe_touch@2").pose,
+                                   raycast::SceneUse::manyRays, {});
+  EXPECT_EQ(frame.scene->body().skin, scene.body().skin);
+  for (std::size_t o = 0; o < study.organs.size(); ++o) {
+    EXPECT_EQ(frame.scene->organ(o, 0), scene.organ(o, 0)) << study.organs[o]->name;
+  }
+}
+
+TEST_F(Window, TwoModelsStandSideBySideFromTheSameSide) {
+  open();
+  window_.document().showModels({OrganModel::staticJoint, OrganModel::dynamic});
+  window_.document().showPose("toe_touch@2");
+  waitForFrame("toe_touch@2");
+  const QImage both = picture();
+  const QImage left = both.copy(0, 0, both.width() / 2, both.height());
+  const QImage right = both.copy(both.width() / 2, 0, both.width() / 2, both.height());
+  const int apart = differing(left, right);
+  EXPECT_GT(apart, 50) << "static organs stay behind";
+  EXPECT_LT(apart, left.width() * left.height() / 8) << "the bodies are the same";
+}
+
+TEST_F(Window, RecolouringAnOrganChangesItsPixelsAndUndoBringsThemBack) {
+  open();
+  for (const char* hidden : {"front_plate", "back_plate"}) {
+    commands::setVisible(window_.document(), hidden, false);
+  }
+  const std::string before = bytes();
+  const int blueBefore = ofColour(picture(), 2);
+  commands::setColour(window_.document(), "liver", std::array<std::uint8_t, 3>{20, 20, 240});
+  EXPECT_GT(ofColour(picture(), 2), blueBefore + 100);
+  window_.document().undoStack().undo();
+  EXPECT_EQ(bytes(), before);
+  EXPECT_NEAR(ofColour(picture(), 2), blueBefore, 20);
+  window_.document().undoStack().redo();
+  EXPECT_GT(ofColour(picture(), 2), blueBefore + 100);
+}
+
+TEST_F(Window, ARunGivesTheTableOfTheCommandLineByteForByte) {
+  open();
+  ASSERT_EQ(window_.runs().start(), QString());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.runs().job() == nullptr; }, patience));
+  ASSERT_EQ(window_.document().runs().size(), 1U);
+  const models::ResultsModel& model = window_.results().model();
+  std::vector<int> rows(static_cast<std::size_t>(model.rowCount()));
+  std::iota(rows.begin(), rows.end(), 0);
+  ASSERT_FALSE(rows.empty());
+  const QString out = folder_.filePath("out");
+  ASSERT_EQ(QProcess::execute(LORICA_CLI, {"run", file_, "--out", out, "--quiet"}), 0);
+  QFile summary(out + "/summary.csv");
+  ASSERT_TRUE(summary.open(QFile::ReadOnly));
+  EXPECT_EQ(model.csv(rows), summary.readAll());
+}
+
+TEST_F(Window, ACancelledRunKeepsWhatWasFinishedAndTheWindowIsUsable) {
+  open();
+  commands::setSourceShots(window_.document(), "front", 50000000);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.runs().trouble().isEmpty(); }, patience));
+  ASSERT_EQ(window_.runs().start(), QString());
+  int turns = 0;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return ++turns > 5; }, patience)) << "the window goes on while it shoots";
+  window_.runs().cancel();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.runs().job() == nullptr; }, 5000));
+  for (const auto& run : window_.document().runs()) {
+    EXPECT_TRUE(run->result.partial);
+  }
+  window_.document().showPose("toe_touch@2");
+  waitForFrame("toe_touch@2");
+}
+
+TEST_F(Window, ClosesCleanlyWhileARunGoesOn) {
+  open();
+  commands::setSourceShots(window_.document(), "front", 50000000);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.runs().trouble().isEmpty(); }, patience));
+  ASSERT_EQ(window_.runs().start(), QString());
+  QTest::qWait(100);
+  answer(QMessageBox::Discard);
+  EXPECT_TRUE(window_.close());
+}
+
+TEST_F(Window, SavesAndReopensTheStudyWithItsLook) {
+  open();
+  commands::setColour(window_.document(), "heart", std::array<std::uint8_t, 3>{1, 2, 3});
+  commands::setOpacity(window_.document(), "body", 0.5);
+  const std::string before = bytes();
+  window_.document().save();
+  EXPECT_FALSE(window_.document().isModified());
+  ASSERT_TRUE(window_.openFile(file_));
+  EXPECT_EQ(bytes(), before);
+}
+
+TEST_F(Window, AsksBeforeUnsavedEditsAreLost) {
+  open();
+  commands::setTrials(window_.document(), 9);
+  EXPECT_TRUE(window_.isWindowModified());
+  const std::string edited = bytes();
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window_.openFile(file_));
+  EXPECT_EQ(bytes(), edited);
+  EXPECT_TRUE(said_.contains("unsaved")) << said_.toStdString();
+}
+
+TEST_F(Window, TellsWhereADamagedFileIsWrongAndKeepsTheOpenStudy) {
+  open();
+  const std::string before = bytes();
+  const QString damaged = folder_.filePath("damaged.lorica.json");
+  QFile file(damaged);
+  ASSERT_TRUE(file.open(QFile::WriteOnly));
+  file.write("{\n  \"lorica_study\": 1,\n  \"human\": {\"builtin\": \"plain\"},,\n}\n");
+  file.close();
+  answer(QMessageBox::Ok);
+  EXPECT_FALSE(window_.openFile(damaged));
+  EXPECT_TRUE(said_.contains("damaged.lorica.json")) << said_.toStdString();
+  EXPECT_TRUE(said_.contains("3")) << "the line: " << said_.toStdString();
+  EXPECT_EQ(bytes(), before);
+}
+
+TEST_F(Window, AStudyThatCannotBeReadShowsItsProblem) {
+  study::Study study = study::parseStudy(study::templateText("sample"), "sample");
+  study.organs.front().joint = "no_such_joint";
+  study::saveStudy(study, file_.toStdString());
+  ASSERT_TRUE(window_.openFile(file_));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.document().problems().empty(); }, patience));
+  EXPECT_EQ(window_.document().problems().front().severity, base::Severity::error);
+  EXPECT_NE(window_.document().problems().front().text.find("no_such_joint"), std::string::npos);
+}
+
+TEST_F(Window, ADroppedOrganIsImportedIntoTheOpenStudy) {
+  open();
+  const geometry::TriangleMesh ball =
+      geometry::ellipsoid(geometry::Vec3d(0.0, 1.25, 0.0), geometry::Vec3d::Constant(0.03), 2);
+  const QString organ = folder_.filePath("thymus.ply");
+  const io::SceneMesh mesh{"thymus", "organ", ball.positions, ball.triangles};
+  io::writeScene(std::span(&mesh, 1), io::SceneFormat::ply, organ.toStdString());
+
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(organ)});
+  QDragEnterEvent enter({600, 400}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window_, &enter);
+  ASSERT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window_, &drop);
+  // Accepts as soon as the files were read.
+  bool seen = false;
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, [&] {
+    if (auto* dialog = qobject_cast<dialogs::ImportDialog*>(QApplication::activeModalWidget())) {
+      dialog->accept();
+      seen = true;
+    }
+  });
+  timer.start(100);
+  const auto hasIt = [&] {
+    const auto& organs = window_.document().study().organs;
+    return !organs.empty() && organs.back().name == "thymus";
+  };
+  ASSERT_TRUE(QTest::qWaitFor(hasIt, patience)) << (seen ? "the dialog was there" : "no dialog came");
+  timer.stop();
+  waitForFrame("rest");
+  EXPECT_EQ(window_.view().frame()->study->organs.back()->name, "thymus");
+  window_.document().undoStack().undo();
+  EXPECT_FALSE(hasIt());
+}
+
+TEST_F(Window, AClickSelectsWhatIsSeenThere) {
+  open();
+  const QWidget* canvas = window_.view().findChild<QWidget*>();
+  ASSERT_NE(canvas, nullptr);
+  window_.view().lookFrom(viewport::StandardView::front);
+  // The front plate covers the chest, somewhat above the middle of the picture.
+  bool found = false;
+  for (int y = canvas->height() / 6; y < canvas->height() / 2 && !found; y += 10) {
+    QTest::mouseClick(const_cast<QWidget*>(canvas), Qt::LeftButton, {}, {canvas->width() / 2, y});
+    found = window_.document().selection() == ItemRef{ItemKind::piece, "front_plate"};
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(Window, ShotsAreDrawnUpToTheLimitAndFilteredByWhatTheyMeet) {
+  open();
+  const QImage without = picture();
+  dialogs::ShotDisplay display;
+  display.on = true;
+  display.limit = 200;
+  Q_EMIT window_.shotLines().shotDisplayChanged(display);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.view().frame()->shots.size() == 200; }, patience));
+  const int all = differing(without, picture());
+  EXPECT_GT(all, 200);
+  display.onlyFirstHit = "armor";
+  Q_EMIT window_.shotLines().shotDisplayChanged(display);
+  QTest::qWait(500);
+  const int armor = differing(without, picture());
+  EXPECT_LT(armor, all);
+  EXPECT_GT(armor, 0);
+}
+
+}  // namespace
+}  // namespace lorica::gui
