@@ -1,31 +1,37 @@
 #!/bin/sh
-# Installs what is missing, builds Release and runs the sample study, which leaves its tables in out/.
+# Installs what is missing, builds Release and opens the sample study in the window; without a display it runs the study,
+# which leaves its tables in out/.
 set -eu
 
 usage() {
   cat <<'TEXT'
 usage: sh packaging/run.sh [--headless] [--] [OPTION OF lorica-cli run]...
 
-Installs what is missing, builds Release, writes the sample study to out/sample.lorica.json and runs it. Leaves
-summary.csv, trials.csv and provenance.json in out/ and prints the summary.
+Installs what is missing, builds Release and writes the sample study to out/sample.lorica.json. With a display it opens
+the study in the window. Without one it runs it, leaves summary.csv, trials.csv and provenance.json in out/ and prints
+the summary.
 
-  --headless  run without a window
+  --headless  run without a window although there is a display
   --help      print this text
-  --          hand what follows to lorica-cli run, for example: -- --shots 1000000 --threads 2
+  --          run without a window and hand what follows to lorica-cli run, for example: -- --shots 1000000
 TEXT
 }
 
 say() { printf 'run: %s\n' "$*" >&2; }
 
+headless=''
+[ -n "${DISPLAY-}${WAYLAND_DISPLAY-}" ] || headless=yes
+
 while [ $# -gt 0 ]; do
   case $1 in
-    --headless) ;;
+    --headless) headless=yes ;;
     -h | --help)
       usage
       exit 0
       ;;
     --)
       shift
+      headless=yes
       break
       ;;
     *)
@@ -59,10 +65,26 @@ fi
 step cmake --build --preset release --target lorica-cli -j "$jobs"
 
 cli=build/release/app/cli/lorica-cli
+window=build/release/app/gui/lorica
 study=out/sample.lorica.json
 mkdir -p out
-"$cli" template sample >"$study.new"
-mv -f "$study.new" "$study"
+if [ -z "$headless" ]; then
+  if grep -q 'app/gui/lorica' build/release/build.ninja; then
+    step cmake --build --preset release --target lorica -j "$jobs"
+  else
+    say 'the window cannot be built here, so the study runs without it; packaging/setup.sh says what is missing'
+    headless=yes
+  fi
+fi
+# An open study is the user's: what is there is not written over.
+if [ -n "$headless" ] || [ ! -e "$study" ]; then
+  "$cli" template sample >"$study.new"
+  mv -f "$study.new" "$study"
+fi
+if [ -z "$headless" ]; then
+  say "opening $study"
+  exec "$window" "$study"
+fi
 say "running $study"
 "$cli" run "$study" --out out "$@"
 say "the tables are in $(pwd)/out"

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QIcon>
 #include <QStyleFactory>
 #include <QSurfaceFormat>
 #include <QTimer>
@@ -25,6 +26,8 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName(QStringLiteral("lorica"));
   QApplication::setApplicationVersion(QString::fromStdString(lorica::study::version()));
   QApplication::setDesktopFileName(QStringLiteral("lorica"));
+  Q_INIT_RESOURCE(icon);
+  QApplication::setWindowIcon(QIcon(QStringLiteral(":/lorica.svg")));
 
   QCommandLineParser parser;
   parser.setApplicationDescription(QApplication::translate("main", "Compares body armor on a posable digital human."));

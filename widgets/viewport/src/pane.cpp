@@ -16,6 +16,7 @@ Pane::Pane(std::size_t model, vtkCamera* camera) {
   renderer_->SetUseDepthPeeling(1);
   renderer_->SetMaximumNumberOfPeels(4);
   renderer_->SetOcclusionRatio(0.0);
+  renderer_->UseFXAAOn();
   renderer_->AutomaticLightCreationOff();
   light_->SetKeyLightIntensity(0.85);
   light_->AddLightsToRenderer(renderer_);

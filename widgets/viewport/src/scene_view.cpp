@@ -50,6 +50,7 @@ void dressAxes(vtkAxesActor* axes) {
   axes->SetXAxisLabelText("left");
   axes->SetYAxisLabelText("up");
   axes->SetZAxisLabelText("front");
+  axes->SetNormalizedLabelPosition(1.3, 1.25, 1.3);
   axes->SetShaftTypeToCylinder();
   axes->SetCylinderRadius(0.03);
   axes->SetConeRadius(0.25);

@@ -1,0 +1,109 @@
+/// \file
+/// Takes pictures of the window with a study, in the states a person meets: usage lorica_pictures OUT_FOLDER PREFIX
+/// STUDY CLIP@SECONDS...
+
+#include <QApplication>
+#include <QDir>
+#include <QMessageBox>
+#include <QStyleFactory>
+#include <QSurfaceFormat>
+#include <QTest>
+#include <QTimer>
+#include <cstdio>
+
+#include "main_window.h"
+
+namespace {
+
+using lorica::gui::MainWindow;
+using lorica::viscera::OrganModel;
+
+constexpr int patience = 120000;
+
+class Photographer {
+ public:
+  Photographer(MainWindow& window, QString folder, QString prefix)
+      : window_(window), folder_(std::move(folder)), prefix_(std::move(prefix)) {}
+
+  void settle(const std::string& pose) {
+    const bool there = QTest::qWaitFor(
+        [&] {
+          const auto& frame = window_.view().frame();
+          return window_.loader().isInStep() && frame != nullptr && frame->pose == pose &&
+                 frame->scene->models() == window_.document().shownModels() && !window_.engine().isBusy();
+        },
+        patience);
+    if (!there) {
+      std::fprintf(stderr, "%s was not shown\n", pose.c_str());
+    }
+    QTest::qWait(600);
+  }
+  void take(const char* name, QWidget* what = nullptr) {
+    QTest::qWait(200);
+    (what != nullptr ? what : &window_)->grab().save(folder_ + "/" + prefix_ + "_" + name + ".png");
+  }
+
+ private:
+  MainWindow& window_;
+  QString folder_;
+  QString prefix_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QSurfaceFormat format;
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication application(argc, argv);
+  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  if (argc < 4) {
+    std::fprintf(stderr, "usage: lorica_pictures OUT_FOLDER PREFIX STUDY CLIP@SECONDS...\n");
+    return 2;
+  }
+  QDir().mkpath(argv[1]);
+  MainWindow window;
+  window.show();
+  Photographer photographer(window, argv[1], argv[2]);
+  photographer.take("empty");
+  if (!window.openFile(argv[3])) {
+    return 3;
+  }
+  photographer.settle("rest");
+  photographer.take("rest");
+  for (int i = 4; i < argc; ++i) {
+    window.document().showPose(argv[i]);
+    photographer.settle(argv[i]);
+    photographer.take(QByteArray(argv[i]).replace('@', '_').constData());
+    std::printf("%s: pose %.1f ms, draw %.0f ms\n", argv[i], window.view().frame()->engineMs, window.view().drawMs());
+  }
+  window.document().showModels({OrganModel::staticJoint, OrganModel::dynamic});
+  photographer.settle(window.document().shownPose());
+  photographer.take("side_by_side");
+  window.showShotLines();
+  QTest::qWait(3000);
+  photographer.take("shot_lines", &window.shotLines());
+  lorica::dialogs::ShotDisplay display;
+  display.on = true;
+  display.limit = 400;
+  Q_EMIT window.shotLines().shotDisplayChanged(display);
+  window.document().select(lorica::document::ItemRef{lorica::document::ItemKind::source, "front"});
+  QTest::qWait(1500);
+  photographer.take("shots");
+  const QString why = window.runs().start();
+  if (!why.isEmpty()) {
+    std::fprintf(stderr, "no run: %s\n", qPrintable(why));
+  }
+  QTest::qWait(700);
+  photographer.take("running");
+  if (!QTest::qWaitFor([&] { return window.runs().job() == nullptr; }, patience)) {
+    std::fprintf(stderr, "the run takes very long\n");
+  }
+  window.document().select(lorica::document::ItemRef{lorica::document::ItemKind::organ, "liver"});
+  photographer.take("after_run");
+  photographer.take("shot_lines_after", &window.shotLines());
+  return 0;
+}
