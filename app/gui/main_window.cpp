@@ -114,7 +114,7 @@ void MainWindow::makePanels() {
   resizeDocks({projectDock, propertiesDock}, {420, 300}, Qt::Vertical);
   resizeDocks({projectDock}, {320}, Qt::Horizontal);
   resizeDocks({resultsDock_, chartDock}, {640, 480}, Qt::Horizontal);
-  resizeDocks({resultsDock_}, {290}, Qt::Vertical);
+  resizeDocks({resultsDock_}, {330}, Qt::Vertical);
   shotLines_ = new dialogs::ShotLineDialog(document_, runs_, this);
 }
 

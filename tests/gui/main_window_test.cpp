@@ -324,6 +324,7 @@ TEST_F(Window, ShotsAreDrawnUpToTheLimitAndFilteredByWhatTheyMeet) {
   dialogs::ShotDisplay display;
   display.on = true;
   display.limit = 200;
+  display.onlyFirstHit.clear();
   Q_EMIT window_.shotLines().shotDisplayChanged(display);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_.view().frame()->shots.size() == 200; }, patience));
   const int all = differing(without, picture());

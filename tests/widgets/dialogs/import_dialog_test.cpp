@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
 
@@ -23,14 +24,6 @@ namespace fs = std::filesystem;
 
 class Import : public testing::Test {
  protected:
-  Import() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("lorica_import_dialog_" + std::string(info->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~Import() override { fs::remove_all(folder_); }
-
   fs::path ball(const std::string& name, const geometry::Vec3d& centre, double radius) const {
     const auto mesh = geometry::ellipsoid(centre, {radius, radius, radius}, 4);
     const io::SceneMesh scene{name, "organ", mesh.positions, mesh.triangles};
@@ -73,7 +66,8 @@ class Import : public testing::Test {
     return text;
   }
 
-  fs::path folder_;
+  QTemporaryDir own_;
+  fs::path folder_ = own_.path().toStdString();
   document::StudyDocument document_;
 };
 

@@ -159,7 +159,7 @@ TEST_F(ShotLine, SaysWhichShotsAreShown) {
     ++told;
   });
   part<QCheckBox>("show_shots")->setChecked(true);
-  EXPECT_EQ(last, (ShotDisplay{true, 0, 300, ""}));
+  EXPECT_EQ(last, (ShotDisplay{true, 0, 300, "hits"})) << "misses say little";
   part<QSpinBox>("limit")->setValue(1000);
   auto* first = part<QComboBox>("first_hit");
   first->setCurrentIndex(first->findData("heart"));
@@ -168,7 +168,11 @@ TEST_F(ShotLine, SaysWhichShotsAreShown) {
   part<QToolButton>("add_source")->click();
   EXPECT_EQ(last.source, 1U);
   commands::renameItem(document_, {document::ItemKind::organ, "heart"}, "pump");
-  EXPECT_EQ(last.onlyFirstHit, "") << "nothing has that name any more";
+  EXPECT_EQ(last.onlyFirstHit, "hits") << "nothing has that name any more";
+  first->setCurrentIndex(first->findText("anything or nothing"));
+  EXPECT_EQ(last.onlyFirstHit, "");
+  part<QDoubleSpinBox>("position_x")->setValue(1.0);
+  EXPECT_EQ(last.onlyFirstHit, "") << "an edit does not change the choice";
   part<QCheckBox>("show_shots")->setChecked(false);
   EXPECT_FALSE(last.on);
 }

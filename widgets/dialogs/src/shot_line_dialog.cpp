@@ -375,10 +375,12 @@ void ShotLineDialog::checkAllPoses(bool on) {
 }
 
 void ShotLineDialog::refreshStructures() {
-  const QString chosen = firstHit_->currentData().toString();
+  const QString chosen =
+      firstHit_->count() > 0 ? firstHit_->currentData().toString() : QString::fromStdString(ShotDisplay().onlyFirstHit);
   firstHit_->clear();
+  firstHit_->addItem(tr("anything"), QStringLiteral("hits"));
   firstHit_->addItem(tr("anything or nothing"), QString());
-  firstHit_->insertSeparator(1);
+  firstHit_->insertSeparator(2);
   firstHit_->addItem(tr("the body"), QStringLiteral("body"));
   firstHit_->addItem(tr("any armor"), QStringLiteral("armor"));
   firstHit_->addItem(tr("any organ"), QStringLiteral("organs"));

@@ -124,13 +124,12 @@ std::shared_ptr<Frame> FrameEngine::spareFrame(const std::shared_ptr<const analy
 void FrameEngine::fill(Frame& frame, const FrameRequest& request) const {
   const analysis::LoadedStudy& study = *frame.study;
   const analysis::NamedPose pose = analysis::resolvePose(study, request.pose);
-  const auto start = std::chrono::steady_clock::now();
   if (frame.scene == nullptr) {
-    frame.scene = std::make_unique<analysis::PosedScene>(study, request.models, pose.pose,
+    frame.scene = std::make_unique<analysis::PosedScene>(study, request.models, std::nullopt,
                                                          raycast::SceneUse::manyFrames, base::Threads{});
-  } else {
-    frame.scene->move(pose.pose, base::Threads{});
   }
+  const auto start = std::chrono::steady_clock::now();
+  frame.scene->move(pose.pose, base::Threads{});
   frame.engineMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   frame.pose = request.pose;
   computeNormals(frame);

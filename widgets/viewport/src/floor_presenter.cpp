@@ -39,8 +39,6 @@ void dress(vtkActor* actor, vtkPolyData* data, double grey, double width) {
   actor->GetProperty()->LightingOff();
   actor->PickableOff();
   actor->VisibilityOff();
-  // The grid is not what a camera frames.
-  actor->UseBoundsOff();
 }
 
 }  // namespace

@@ -36,11 +36,7 @@ Pane::Pane(std::size_t model, vtkCamera* camera) {
   title_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   title_->SetPosition(0.5, 0.985);
   renderer_->AddViewProp(title_);
-  setTextScale(1.0);
-}
-
-void Pane::setTextScale(double scale) {
-  title_->GetTextProperty()->SetFontSize(static_cast<int>(15.0 * scale));
+  text->SetFontSize(14);
 }
 
 void Pane::showFrame(const std::shared_ptr<const jobs::Frame>& frame, const QString& title) {

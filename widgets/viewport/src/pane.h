@@ -27,7 +27,6 @@ class Pane {
   void restyle(const document::StudyDocument& document);
   /// Depth layers of what is translucent: more are right, fewer are fast.
   void setPeels(int peels) { renderer_->SetMaximumNumberOfPeels(peels); }
-  void setTextScale(double scale);
 
  private:
   vtkNew<vtkRenderer> renderer_;

@@ -59,7 +59,7 @@ void dressAxes(vtkAxesActor* axes) {
     caption->GetTextActor()->SetTextScaleModeToNone();
     vtkTextProperty* text = caption->GetCaptionTextProperty();
     text->SetColor(0.25, 0.27, 0.30);
-    text->SetFontSize(12);
+    text->SetFontSize(11);
     text->BoldOff();
     text->ItalicOff();
     text->ShadowOff();
@@ -84,8 +84,6 @@ struct SceneView::Impl {
   QPointF pressed;
   double drawMs = 0.0;
   std::chrono::steady_clock::time_point drawStart;
-
-  double textScale() const { return widget->devicePixelRatioF(); }
 };
 
 SceneView::SceneView(document::StudyDocument& document, QWidget* parent)
@@ -173,7 +171,6 @@ void SceneView::arrangePanes(std::size_t count) {
     const double left = static_cast<double>(p) * share;
     // A thin line of background between the panes.
     pane->renderer()->SetViewport(left + (p > 0 ? 0.001 : 0.0), 0.0, left + share, 1.0);
-    pane->setTextScale(impl_->textScale());
     pane->shots().setFilter(impl_->shotFilter);
     impl_->window->AddRenderer(pane->renderer());
     impl_->panes.push_back(std::move(pane));
@@ -181,8 +178,7 @@ void SceneView::arrangePanes(std::size_t count) {
   if (count > 0) {
     impl_->marker->SetInteractor(impl_->window->GetInteractor());
     impl_->marker->SetCurrentRenderer(impl_->panes.front()->renderer());
-    const double share = 1.0 / static_cast<double>(count);
-    impl_->marker->SetViewport(0.0, 0.0, 0.16 * share + 0.04, 0.20);
+    impl_->marker->SetViewport(0.0, 0.0, 0.16, 0.24);
     impl_->marker->EnabledOn();
     impl_->marker->InteractiveOff();
   }

@@ -21,7 +21,7 @@ constexpr double tail = 0.15;
 constexpr double missLength = 6.5;
 
 bool passes(const std::string& filter, const ShotMeeting& met, const std::string& structure) {
-  if (filter.empty()) {
+  if (filter.empty() || (filter == "hits" && met.kind != Kind::miss)) {
     return true;
   }
   switch (met.kind) {
@@ -62,7 +62,6 @@ ShotPresenter::ShotPresenter(vtkRenderer* renderer, std::size_t model) : Present
   actor_->SetMapper(mapper);
   actor_->GetProperty()->LightingOff();
   actor_->GetProperty()->SetLineWidth(1.4F);
-  actor_->UseBoundsOff();
   renderer->AddActor(actor_);
 }
 

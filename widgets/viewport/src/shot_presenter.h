@@ -19,7 +19,7 @@ class ShotPresenter final : public Presenter {
   ~ShotPresenter() override;
   void showFrame(const std::shared_ptr<const jobs::Frame>& frame) override;
   void restyle(const document::StudyDocument& document) override;
-  /// Only shots that met this: "" all, "miss", "body", "armor", "organs" or the name of a structure.
+  /// Only shots that met this: "" all, "hits", "miss", "body", "armor", "organs" or the name of a structure.
   void setFilter(std::string met) { filter_ = std::move(met); }
   std::size_t shownShots() const { return shown_; }
 

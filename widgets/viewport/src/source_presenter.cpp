@@ -16,7 +16,6 @@ SourcePresenter::SourcePresenter(vtkRenderer* renderer) : Presenter(renderer) {
     actor->SetMapper(mapper);
     actor->GetProperty()->LightingOff();
     actor->GetProperty()->SetColor(0.75, 0.10, 0.10);
-    actor->UseBoundsOff();
     renderer->AddActor(actor);
   }
   ballActor_->GetProperty()->SetPointSize(11.0F);

@@ -33,8 +33,9 @@ struct ShotDisplay {
   bool on = false;
   std::size_t source = 0;  ///< index into Study::sources
   std::size_t limit = 300;
-  /// Only shots that meet this first: "body", "armor", "organs" or a structure; empty: all.
-  std::string onlyFirstHit;
+  /// Only shots that meet this first: "hits" (anything), "body", "armor", "organs" or a structure; empty: all shots,
+  /// also those that miss.
+  std::string onlyFirstHit = "hits";
   bool operator==(const ShotDisplay&) const = default;
 };
 

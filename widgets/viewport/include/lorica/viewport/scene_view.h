@@ -32,7 +32,8 @@ class SceneView : public QWidget {
   void lookFrom(StandardView view);
   /// Moves the camera so that the whole body is seen.
   void fit();
-  /// Which shots of the frames are drawn, by what they met: "" all, "miss", "body", "armor", "organs" or a structure.
+  /// Which shots of the frames are drawn, by what they met: "" all, "hits", "miss", "body", "armor", "organs" or
+  /// a structure.
   void setShotFilter(const std::string& met);
   /// While something moves, fewer layers of what is translucent are drawn.
   void setMoving(bool moving);
