@@ -143,8 +143,9 @@ void BarFigure::setData(FigureData data) {
   const bool anyBlank = std::any_of(data_.series.begin(), data_.series.end(), [](const FigureSeries& series) {
     return std::any_of(series.bars.begin(), series.bars.end(), [](const FigureBar& bar) { return !bar.interval; });
   });
+  // The names below the bars speak for themselves; only the mark of a blank needs a word.
   categories_->setTitleText(anyBlank ? data_.categoryTitle + " (" + QChar(0xD7) + " " + data_.blankNote + ")"
-                                     : data_.categoryTitle);
+                                     : QString());
   intervals_->follow();
 }
 
