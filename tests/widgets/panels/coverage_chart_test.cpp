@@ -129,9 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Measures, EachMeasure,
 TEST_F(CoverageChartTest, SaysWhatItShows) {
   EXPECT_TRUE(chart_.figure().title().contains("toe_touch@2"));
   EXPECT_TRUE(chart_.figure().title().contains("plates"));
-  for (const QAbstractAxis* axis : chart_.figure().axes()) {
-    EXPECT_FALSE(axis->titleText().isEmpty());
-  }
+  EXPECT_TRUE(chart_.figure().axes(Qt::Vertical).front()->titleText().contains("%")) << "the unit";
   chart_.setPose("rest");
   EXPECT_TRUE(chart_.figure().title().contains("rest"));
 }
