@@ -98,6 +98,35 @@ Findings checkModuleIncludes(std::span<const SourceFile> files) {
   return found;
 }
 
+Findings checkWidgetIncludes(std::span<const SourceFile> files) {
+  static const std::vector<std::string> order{"document", "commands", "jobs",   "models",
+                                              "viewport", "panels",   "dialogs"};
+  static const std::regex own("^lorica/([^/]+)/.*");
+  static const std::regex room("^widgets/([^/]+)/.*");
+  const auto placeOf = [](const std::string& name) { return std::find(order.begin(), order.end(), name); };
+  Findings found;
+  for (const SourceFile& file : files) {
+    std::smatch match;
+    const bool widget = std::regex_match(file.path, match, room);
+    if (!isCpp(file) || !(widget || isIn(file.path, "core"))) {
+      continue;
+    }
+    const std::string name = widget ? match[1].str() : "core";
+    for (const Include& include : includes(file.text)) {
+      std::smatch header;
+      if (!std::regex_match(include.header, header, own)) {
+        continue;
+      }
+      const auto used = placeOf(header[1].str());
+      // Core stands before all of them.
+      if (used != order.end() && (!widget || used > placeOf(name))) {
+        found.push_back({file.path, include.line, name + " may not use " + *used});
+      }
+    }
+  }
+  return found;
+}
+
 Findings checkModuleLinks(std::span<const SourceFile> files) {
   static const std::regex link("lorica::([a-z_]+)");
   Findings found;
@@ -177,7 +206,7 @@ const std::vector<ThirdParty>& thirdParties() {
       {"JSON", std::regex("^nlohmann/.*"), {"core/study/src", "core/io/src", "app", "tests"}},
       {"VTK",
        std::regex("^(vtk-[0-9.]+/)?vtk[A-Za-z_0-9]*\\.h$"),
-       {"core/geometry/src", "core/threat/src", "core/io/src", "widgets", "tests"}},
+       {"core/geometry/src", "core/threat/src", "core/io/src", "widgets/viewport/src", "widgets/report", "tests"}},
       {"MPI", std::regex("^(.*/)?mpi\\.h$"), {"app/mpi"}},
       {"Qt",
        std::regex("^(Qt[A-Za-z0-9]*/.*|Q[A-Za-z0-9]+|q[a-z0-9]+\\.h)$"),

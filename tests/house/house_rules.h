@@ -25,6 +25,9 @@ std::set<std::string> reachable(const std::string& module);
 
 /// core/<m> includes lorica/<n>/ only for modules it may use.
 Findings checkModuleIncludes(std::span<const SourceFile> files);
+/// widgets/<m> includes the headers of widgets' modules that stand before it in their order, and any of core's; core
+/// includes none of them.
+Findings checkWidgetIncludes(std::span<const SourceFile> files);
 /// core/<m>/CMakeLists.txt links lorica::<n> only for modules it may use.
 Findings checkModuleLinks(std::span<const SourceFile> files);
 /// core/CMakeLists.txt lists the modules in their order, and every folder that holds one.

@@ -48,6 +48,15 @@ TEST(ModuleIncludes, FindADependencyThatPointsBack) {
             (Places{"core/human/src/skin.cpp:2", "core/raycast/include/lorica/raycast/scene.h:2"}));
 }
 
+TEST(WidgetIncludes, FindADependencyThatPointsBack) {
+  const Files files{
+      {"widgets/document/src/a.cpp", "#include \"lorica/base/error.h\"\n#include \"lorica/panels/b.h\"\n"},
+      {"widgets/panels/src/b.cpp", "#include \"lorica/document/a.h\"\n#include \"lorica/panels/b.h\"\n"},
+      {"core/io/src/c.cpp", "#include \"lorica/document/a.h\"\n"},
+      {"app/gui/d.cpp", "#include \"lorica/dialogs/e.h\"\n"}};
+  EXPECT_EQ(places(checkWidgetIncludes(files)), (Places{"widgets/document/src/a.cpp:2", "core/io/src/c.cpp:1"}));
+}
+
 TEST(ModuleLinks, FindADependencyThatPointsBack) {
   const Files files{
       {"core/armor/CMakeLists.txt", "lorica_add_module(armor\n  PUBLIC lorica::parenting lorica::viscera)\n"},
@@ -82,7 +91,7 @@ TEST(ThirdParties, AreFoundOutsideTheirRooms) {
   const Files lawful{{"core/raycast/src/embree.h", embree},   {"app/cli/bench/bare.cpp", embree + tinygltf},
                      {"tests/benchmarks/bare.cpp", embree},   {"core/io/src/gltf.cpp", tinygltf + json + vtk},
                      {"core/study/src/file.cpp", json},       {"app/mpi/main.cpp", mpi},
-                     {"widgets/viewport/skin.cpp", vtk + qt}, {"core/geometry/src/iso.cpp", vtk},
+                     {"widgets/viewport/src/skin.cpp", vtk + qt}, {"core/geometry/src/iso.cpp", vtk},
                      {"tests/widgets/models_test.cpp", qt},   {"tests/cli/run_test.cpp", json}};
   EXPECT_EQ(lines(checkThirdParties(lawful)), "");
   const Files unlawful{{"core/raycast/include/lorica/raycast/scene.h", embree},

@@ -37,6 +37,10 @@ TEST(House, ModulesIncludeOnlyWhatTheyMayUse) {
   expectNone(checkModuleIncludes(files()));
 }
 
+TEST(House, ModulesOfTheWindowIncludeOnlyWhatStandsBeforeThem) {
+  expectNone(checkWidgetIncludes(files()));
+}
+
 TEST(House, ModulesLinkOnlyWhatTheyMayUse) {
   expectNone(checkModuleLinks(files()));
 }

@@ -1,7 +1,6 @@
 #include "lorica/base/parallel.h"
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <map>
 #include <memory>
@@ -28,13 +27,16 @@ int machineThreads() {
 
 namespace {
 
+// Blocks are dealt in turn, so that every thread takes part in the shortest loop. Threads that fetch their blocks from
+// a shared counter would leave short loops to the first of them, and the sanitizer would take the counter for an order
+// between the blocks: it would miss races.
 void spread(std::size_t count, std::size_t grain, int threads,
             const std::function<void(std::size_t, std::size_t)>& body) {
-  std::atomic<std::size_t> next{0};
+  const std::size_t round = grain * static_cast<std::size_t>(threads);
   std::exception_ptr failure;
   std::mutex failureMutex;
-  const auto work = [&] {
-    for (std::size_t begin = next.fetch_add(grain); begin < count; begin = next.fetch_add(grain)) {
+  const auto work = [&](std::size_t first) {
+    for (std::size_t begin = first; begin < count; begin += round) {
       try {
         body(begin, std::min(begin + grain, count));
       } catch (...) {
@@ -44,10 +46,10 @@ void spread(std::size_t count, std::size_t grain, int threads,
     }
   };
   std::vector<std::thread> crew;
-  for (int i = 1; i < threads; ++i) {
-    crew.emplace_back(work);
+  for (std::size_t first = grain; first < std::min(round, count); first += grain) {
+    crew.emplace_back(work, first);
   }
-  work();
+  work(0);
   for (std::thread& member : crew) {
     member.join();
   }
