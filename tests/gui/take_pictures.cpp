@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QMessageBox>
 #include <QStyleFactory>
 #include <QSurfaceFormat>
@@ -52,6 +53,8 @@ class Photographer {
 }  // namespace
 
 int main(int argc, char** argv) {
+  QElapsedTimer sinceStart;
+  sinceStart.start();
   QSurfaceFormat format;
   format.setVersion(3, 2);
   format.setProfile(QSurfaceFormat::CoreProfile);
@@ -68,9 +71,11 @@ int main(int argc, char** argv) {
   MainWindow window;
   window.show();
   Photographer photographer(window, argv[1], argv[2]);
-  photographer.take("empty");
   if (!window.openFile(argv[3])) {
     return 3;
+  }
+  if (QTest::qWaitFor([&] { return window.view().frame() != nullptr; }, patience)) {
+    std::printf("the body is there after %.2f s\n", static_cast<double>(sinceStart.elapsed()) / 1000.0);
   }
   photographer.settle("rest");
   photographer.take("rest");
@@ -105,5 +110,7 @@ int main(int argc, char** argv) {
   window.document().select(lorica::document::ItemRef{lorica::document::ItemKind::organ, "liver"});
   photographer.take("after_run");
   photographer.take("shot_lines_after", &window.shotLines());
+  window.document().close();
+  photographer.take("empty");
   return 0;
 }

@@ -88,11 +88,11 @@ TEST(ThirdParties, AreFoundOutsideTheirRooms) {
   const std::string vtk = "#include <vtkPolyData.h>\n";
   const std::string mpi = "#include <mpi.h>\n";
   const std::string qt = "#include <QWidget>\n#include <QtCharts/QChart>\n";
-  const Files lawful{{"core/raycast/src/embree.h", embree},   {"app/cli/bench/bare.cpp", embree + tinygltf},
-                     {"tests/benchmarks/bare.cpp", embree},   {"core/io/src/gltf.cpp", tinygltf + json + vtk},
-                     {"core/study/src/file.cpp", json},       {"app/mpi/main.cpp", mpi},
+  const Files lawful{{"core/raycast/src/embree.h", embree},       {"app/cli/bench/bare.cpp", embree + tinygltf},
+                     {"tests/benchmarks/bare.cpp", embree},       {"core/io/src/gltf.cpp", tinygltf + json + vtk},
+                     {"core/study/src/file.cpp", json},           {"app/mpi/main.cpp", mpi},
                      {"widgets/viewport/src/skin.cpp", vtk + qt}, {"core/geometry/src/iso.cpp", vtk},
-                     {"tests/widgets/models_test.cpp", qt},   {"tests/cli/run_test.cpp", json}};
+                     {"tests/widgets/models_test.cpp", qt},       {"tests/cli/run_test.cpp", json}};
   EXPECT_EQ(lines(checkThirdParties(lawful)), "");
   const Files unlawful{{"core/raycast/include/lorica/raycast/scene.h", embree},
                        {"core/raycast/tests/x.cpp", embree},
