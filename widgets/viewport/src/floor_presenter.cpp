@@ -5,6 +5,9 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
+#include <array>
+#include <cmath>
+
 #include "lorica/geometry/measures.h"
 
 namespace lorica::viewport {
@@ -19,7 +22,7 @@ vtkNew<vtkPolyData> grid(double step, double reach) {
     const std::array<vtkIdType, 2> ends{points->InsertNextPoint(x0, 0.0, z0), points->InsertNextPoint(x1, 0.0, z1)};
     lines->InsertNextCell(2, ends.data());
   };
-  const int count = static_cast<int>(reach / step + 0.5);
+  const int count = static_cast<int>(std::lround(reach / step));
   for (int i = -count; i <= count; ++i) {
     line(i * step, -reach, i * step, reach);
     line(-reach, i * step, reach, i * step);

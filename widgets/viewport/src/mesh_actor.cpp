@@ -18,7 +18,7 @@ namespace {
 vtkNew<vtkFloatArray> viewOf(std::span<const geometry::Vec3f> triples) {
   vtkNew<vtkFloatArray> array;
   array->SetNumberOfComponents(3);
-  array->SetArray(const_cast<float*>(triples.data()->data()), static_cast<vtkIdType>(3 * triples.size()), 1);
+  array->SetArray(const_cast<float*>(triples.data()->data()), 3 * static_cast<vtkIdType>(triples.size()), 1);
   return array;
 }
 
@@ -28,9 +28,9 @@ MeshActor::MeshActor(std::span<const geometry::Triangle> triangles) {
   static_assert(sizeof(geometry::Triangle) == 3 * sizeof(vtkTypeInt32), "indices are shared with VTK");
   vtkNew<vtkTypeInt32Array> corners;
   auto* first = const_cast<std::uint32_t*>(triangles.data()->data());
-  corners->SetArray(reinterpret_cast<vtkTypeInt32*>(first), static_cast<vtkIdType>(3 * triangles.size()), 1);
+  corners->SetArray(reinterpret_cast<vtkTypeInt32*>(first), 3 * static_cast<vtkIdType>(triangles.size()), 1);
   vtkNew<vtkTypeInt32Array> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(triangles.size() + 1));
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(triangles.size()) + 1);
   for (vtkIdType t = 0; t < offsets->GetNumberOfValues(); ++t) {
     offsets->SetValue(t, static_cast<vtkTypeInt32>(3 * t));
   }

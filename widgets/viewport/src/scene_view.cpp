@@ -284,7 +284,7 @@ void SceneView::fit() {
   render();
 }
 
-void SceneView::pickSource(std::optional<Vec3d> current) {
+void SceneView::pickSource(const std::optional<Vec3d>& current) {
   const bool was = isPicking();
   impl_->sourcePick = current;
   impl_->widget->setCursor(isPicking() ? Qt::CrossCursor : Qt::ArrowCursor);

@@ -39,7 +39,7 @@ class SceneView : public QWidget {
   void setMoving(bool moving);
   /// The next click places a shot source: it is put where the click points to, as far from the body as `current` is,
   /// and picked() says where. None: no more.
-  void pickSource(std::optional<geometry::Vec3d> current);
+  void pickSource(const std::optional<geometry::Vec3d>& current);
   bool isPicking() const;
   /// What is on the screen.
   QImage picture();
