@@ -214,5 +214,5 @@ vtk_upstream=${1-} vtk_version=${2-}
 set -- "$vtk_source"/vtk9_"${vtk_upstream#*:}"-*.dsc
 if [ -n "$vtk_upstream" ] && [ ! -r "$1" ]; then
   fetch_vtk_source "$vtk_source" ||
-    say "the source package of VTK $vtk_upstream could not be fetched; the engine does without, the window needs it later"
+    say "the source package of VTK $vtk_upstream could not be fetched; the engine does without, the window cannot be built"
 fi

@@ -12,6 +12,7 @@
 #include "lorica/analysis/export_pose.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
+#include "lorica/base/readable.h"
 #include "lorica/study/provenance.h"
 #include "lorica/study/study_file.h"
 
@@ -134,7 +135,7 @@ int runBenchmarks(const fs::path& json) {
     document["rates"][name] = value;
   }
   fmt::print("scene of {} triangles, {} rays, {} threads; each ratio is the median of interleaved runs\n",
-             readableCount(report.triangles), readableCount(report.rays), report.threads);
+             base::readableCount(report.triangles), base::readableCount(report.rays), report.threads);
   if (!json.empty()) {
     base::writeFileAtomically(json, document.dump(2) + "\n");
   }

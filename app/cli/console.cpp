@@ -5,9 +5,10 @@
 
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
+
+#include "lorica/base/readable.h"
 
 namespace lorica::cli {
 
@@ -64,7 +65,7 @@ void Stage::show() {
     if (task_.cancelled()) {
       line += ", stopping";
     } else if (share > 0.02) {
-      line += fmt::format(", {} left", readableTime(elapsed * (1.0 - share) / share));
+      line += fmt::format(", {} left", base::readableTime(elapsed * (1.0 - share) / share));
     }
     fmt::print(stderr, "{}", line);
     std::fflush(stderr);
@@ -79,25 +80,6 @@ void printIssues(const base::Issues& issues, bool withNotes) {
       fmt::print(stderr, "{}\n", issue.line());
     }
   }
-}
-
-std::string readableTime(double seconds) {
-  const auto whole = static_cast<long>(std::ceil(seconds));
-  if (whole >= 3600) {
-    return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
-  }
-  if (whole >= 60) {
-    return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  }
-  return fmt::format("{} s", whole);
-}
-
-std::string readableCount(std::uint64_t count) {
-  std::string digits = std::to_string(count);
-  for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
-    digits.insert(static_cast<std::size_t>(at), 1, ',');
-  }
-  return digits;
 }
 
 }  // namespace lorica::cli

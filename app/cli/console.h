@@ -43,10 +43,4 @@ class Stage {
 /// Writes issues to stderr, a line each; notes only when asked for.
 void printIssues(const base::Issues& issues, bool withNotes);
 
-/// "1 h 03 min", "2 min 05 s", "7 s".
-std::string readableTime(double seconds);
-
-/// 1234567 as "1,234,567".
-std::string readableCount(std::uint64_t count);
-
 }  // namespace lorica::cli

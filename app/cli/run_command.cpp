@@ -9,6 +9,7 @@
 #include "lorica/analysis/results.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
+#include "lorica/base/readable.h"
 #include "lorica/study/study_file.h"
 #include "summary_table.h"
 
@@ -43,8 +44,9 @@ void sayWhatWasShot(const analysis::RunResult& result) {
       fmt::print("source {}: Eq 15, without a solid angle\n", source.source.name);
     }
   }
-  fmt::print("{} rays; {} traced again, {} unresolved, {} near an open edge\n", readableCount(counts.rays),
-             readableCount(counts.retraced), readableCount(counts.unresolved), readableCount(counts.nearOpenEdge));
+  fmt::print("{} rays; {} traced again, {} unresolved, {} near an open edge\n", base::readableCount(counts.rays),
+             base::readableCount(counts.retraced), base::readableCount(counts.unresolved),
+             base::readableCount(counts.nearOpenEdge));
 }
 
 }  // namespace

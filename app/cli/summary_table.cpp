@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "console.h"
+#include "lorica/base/readable.h"
 
 namespace lorica::cli {
 
@@ -43,8 +43,8 @@ std::string summaryTable(const analysis::RunResult& result, const std::vector<Re
       continue;
     }
     text += fmt::format("\nsource {}, pose {}, armor system {}\n", head.source, head.pose, head.system);
-    text += fmt::format("{} shots, {} hit the body ({:.3f} %)\n", readableCount(head.shots),
-                        readableCount(head.count.any), head.percentOfShots());
+    text += fmt::format("{} shots, {} hit the body ({:.3f} %)\n", base::readableCount(head.shots),
+                        base::readableCount(head.count.any), head.percentOfShots());
     std::size_t widest = 9;
     for (const ResultRow& row : rows) {
       widest = std::max(widest, row.kind == "region" ? 0 : row.structure.size());

@@ -5,21 +5,15 @@
 #include <QCommandLineParser>
 #include <QIcon>
 #include <QStyleFactory>
-#include <QSurfaceFormat>
 #include <QTimer>
 #include <algorithm>
+#include <cstdio>
 
 #include "lorica/study/provenance.h"
 #include "lorica/study/study_file.h"
 #include "main_window.h"
 
 int main(int argc, char** argv) {
-  QSurfaceFormat format;
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setStencilBufferSize(8);
-  QSurfaceFormat::setDefaultFormat(format);
   QApplication application(argc, argv);
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QApplication::setOrganizationName(QStringLiteral("lorica"));
@@ -41,6 +35,13 @@ int main(int argc, char** argv) {
                                QApplication::translate("main", "a study, or the files of a body, organs and armor"),
                                QStringLiteral("[files...]"));
   parser.process(application);
+  const std::vector<std::string> samples = lorica::study::templateNames();
+  if (parser.isSet(sample) &&
+      std::find(samples.begin(), samples.end(), parser.value(sample).toStdString()) == samples.end()) {
+    std::fprintf(stderr, "lorica: there is no sample named \"%s\"; lorica-cli template --list names them\n",
+                 qPrintable(parser.value(sample)));
+    return 2;
+  }
 
   lorica::gui::MainWindow window;
   window.show();
@@ -51,11 +52,7 @@ int main(int argc, char** argv) {
       return;
     }
     if (parser.isSet(sample)) {
-      const std::string name = parser.value(sample).toStdString();
-      const std::vector<std::string> known = lorica::study::templateNames();
-      if (std::find(known.begin(), known.end(), name) != known.end()) {
-        window.openSample(name);
-      }
+      window.openSample(parser.value(sample).toStdString());
     } else {
       window.takeFiles(parser.positionalArguments());
     }

@@ -27,7 +27,7 @@
 #include "lorica/dialogs/import_dialog.h"
 #include "lorica/study/provenance.h"
 #include "lorica/study/study_file.h"
-#include "models_menu.h"
+#include "model_chooser.h"
 #include "welcome_page.h"
 
 namespace lorica::gui {
@@ -238,6 +238,7 @@ void MainWindow::makeStatusBar() {
 void MainWindow::connectAll() {
   connect(&document_, &StudyDocument::fileChanged, this, &MainWindow::updateTitle);
   connect(&document_, &StudyDocument::replaced, this, [this] {
+    openedSample_ = false;
     engine_.setStudy(nullptr);
     view_->showFrame(nullptr);
     updatePages();
@@ -300,11 +301,12 @@ void MainWindow::connectAll() {
                                      [this](const study::Source& s) { return s.name == shotLines_->source(); });
     view_->pickSource(on && source != sources.end() ? std::optional(source->position) : std::nullopt);
   });
+  connect(view_, &viewport::SceneView::pickCancelled, shotLines_, &dialogs::ShotLineDialog::endPicking);
   connect(view_, &viewport::SceneView::picked, shotLines_, &dialogs::ShotLineDialog::setPickedPoint);
 
   connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::chooseAndOpen);
   connect(welcome_, &WelcomePage::importRequested, this, [this] { importFiles({}); });
-  connect(welcome_, &WelcomePage::sampleRequested, this, [this] { openSample("sample"); });
+  connect(welcome_, &WelcomePage::sampleRequested, this, [this] { openSample(study::templateNames().front()); });
   connect(welcome_, &WelcomePage::fileRequested, this, &MainWindow::openFile);
 }
 
@@ -333,6 +335,7 @@ bool MainWindow::openFile(const QString& file) {
 void MainWindow::openSample(const std::string& name) {
   document_.setStudy(study::parseStudy(study::templateText(name), name),
                      pathOf(QDir::current().filePath(QString::fromStdString(name) + QStringLiteral(".lorica.json"))));
+  openedSample_ = true;
 }
 
 void MainWindow::chooseAndOpen() {
@@ -436,7 +439,9 @@ void MainWindow::savePicture() {
 }
 
 bool MainWindow::mayDiscard() {
-  if (!document_.hasStudy() || !document_.isModified() || !document_.undoStack().canUndo()) {
+  // A sample that nobody touched can be had again.
+  const bool untouchedSample = openedSample_ && document_.undoStack().count() == 0;
+  if (!document_.isModified() || untouchedSample) {
     return true;
   }
   QMessageBox box(QMessageBox::Question, tr("Lorica"), tr("%1 has unsaved edits.").arg(document_.displayName()),
@@ -479,9 +484,9 @@ void MainWindow::fillRecentMenu() {
 void MainWindow::offerRecovery() {
   for (const document::Recovered& found : document::findRecovered(document::Autosave::defaultFolder())) {
     QMessageBox box(QMessageBox::Question, tr("Lorica"),
-                    tr("Lorica ended while %1 had unsaved edits.").arg(textOf(found.file.filename())),
-                    QMessageBox::NoButton, this);
-    box.setInformativeText(tr("They were kept on %1.").arg(QString::fromStdString(found.when)));
+                    tr("Lorica ended before %1 was saved.").arg(textOf(found.file.filename())), QMessageBox::NoButton,
+                    this);
+    box.setInformativeText(tr("It was kept as it stood on %1.").arg(QString::fromStdString(found.when)));
     const QPushButton* take = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
     const QPushButton* drop = box.addButton(tr("Throw away"), QMessageBox::DestructiveRole);
     box.addButton(tr("Later"), QMessageBox::RejectRole);

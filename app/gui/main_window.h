@@ -100,6 +100,7 @@ class MainWindow : public QMainWindow {
   jobs::FrameEngine engine_;
   jobs::RunController runs_;
   dialogs::ShotDisplay shots_;
+  bool openedSample_ = false;  ///< the study is a built-in sample
 
   QStackedWidget* pages_ = nullptr;
   WelcomePage* welcome_ = nullptr;

@@ -17,8 +17,10 @@
 #include <QUndoStack>
 #include <numeric>
 
+#include "lorica/analysis/results.h"
 #include "lorica/commands/edits.h"
 #include "lorica/dialogs/import_dialog.h"
+#include "lorica/geometry/measures.h"
 #include "lorica/geometry/primitives.h"
 #include "lorica/io/export.h"
 #include "lorica/study/study_file.h"
@@ -135,7 +137,7 @@ TEST_F(Window, ScrubbingDeformsWhatIsSeenAndRestComesBackToThePixel) {
   EXPECT_EQ(differing(rest, picture()), 0);
 }
 
-TEST_F(Window, VerticesReachTheViewWithoutACopyAndAreTheEnginesOwn) {
+TEST_F(Window, WhatIsShownIsThePoseThatARunWouldShoot) {
   open();
   window_.document().showPose("toe_touch@2");
   waitForFrame("toe_touch@2");
@@ -189,9 +191,18 @@ TEST_F(Window, ARunGivesTheTableOfTheCommandLineByteForByte) {
   ASSERT_FALSE(rows.empty());
   const QString out = folder_.filePath("out");
   ASSERT_EQ(QProcess::execute(LORICA_CLI, {"run", file_, "--out", out, "--quiet"}), 0);
-  QFile summary(out + "/summary.csv");
-  ASSERT_TRUE(summary.open(QFile::ReadOnly));
-  EXPECT_EQ(model.csv(rows), summary.readAll());
+  const auto bytesOf = [](const QString& name) {
+    QFile file(name);
+    EXPECT_TRUE(file.open(QFile::ReadOnly)) << name.toStdString();
+    return file.readAll();
+  };
+  EXPECT_EQ(model.csv(rows), bytesOf(out + "/summary.csv"));
+  const QString own = folder_.filePath("own");
+  const document::RunRecord& run = *window_.document().runs().front();
+  analysis::writeResults(*run.study, run.result, own.toStdString());
+  for (const char* name : {"/summary.csv", "/trials.csv", "/provenance.json"}) {
+    EXPECT_EQ(bytesOf(own + name), bytesOf(out + name)) << name;
+  }
 }
 
 TEST_F(Window, ACancelledRunKeepsWhatWasFinishedAndTheWindowIsUsable) {
@@ -240,6 +251,33 @@ TEST_F(Window, AsksBeforeUnsavedEditsAreLost) {
   EXPECT_FALSE(window_.openFile(file_));
   EXPECT_EQ(bytes(), edited);
   EXPECT_TRUE(said_.contains("unsaved")) << said_.toStdString();
+}
+
+TEST_F(Window, AsksAboutAStudyThatWasNeverSaved) {
+  study::Study imported = study::parseStudy(study::templateText("sample"), "sample");
+  window_.document().setStudy(imported, folder_.filePath("imported.lorica.json").toStdString());
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window_.openFile(file_));
+  EXPECT_EQ(window_.document().study(), imported);
+}
+
+TEST_F(Window, AsksWhenWhatWasSavedIsUndone) {
+  open();
+  commands::setTrials(window_.document(), 9);
+  window_.document().save();
+  window_.document().undoStack().undo();
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window_.openFile(file_));
+  EXPECT_TRUE(said_.contains("unsaved")) << said_.toStdString();
+}
+
+TEST_F(Window, AnUntouchedSampleGoesWithoutAQuestion) {
+  window_.openSample("sample");
+  EXPECT_TRUE(window_.openFile(file_));
+  window_.openSample("sample");
+  commands::setTrials(window_.document(), 9);
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window_.openFile(file_));
 }
 
 TEST_F(Window, TellsWhereADamagedFileIsWrongAndKeepsTheOpenStudy) {
@@ -316,6 +354,49 @@ TEST_F(Window, AClickSelectsWhatIsSeenThere) {
     found = window_.document().selection() == ItemRef{ItemKind::piece, "front_plate"};
   }
   EXPECT_TRUE(found);
+}
+
+TEST_F(Window, ASourceIsPlacedByAClickAsFarFromTheBodyAsItWas) {
+  open();
+  window_.showShotLines();
+  auto* pick = window_.shotLines().findChild<QAbstractButton*>("pick");
+  ASSERT_NE(pick, nullptr);
+  window_.view().lookFrom(viewport::StandardView::left);
+  auto* canvas = window_.view().findChild<QWidget*>();
+  const auto& skin = window_.view().frame()->scene->body().skin;
+  const geometry::Vec3d middle = geometry::bounds(skin).center();
+  const double reach = (window_.document().study().sources.front().position - middle).norm();
+
+  pick->setChecked(true);
+  ASSERT_TRUE(window_.view().isPicking());
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->rect().center());
+  EXPECT_FALSE(window_.view().isPicking());
+  EXPECT_FALSE(pick->isChecked());
+  const geometry::Vec3d placed = window_.document().study().sources.front().position;
+  EXPECT_NEAR((placed - middle).norm(), reach, 0.002) << "in whole millimetres";
+  EXPECT_GT(placed.x(), 0.95 * reach) << "seen from the person's left, +x";
+  EXPECT_EQ(window_.document().undoStack().count(), 1);
+
+  pick->setChecked(true);
+  QTest::keyClick(canvas, Qt::Key_Escape);
+  EXPECT_FALSE(window_.view().isPicking());
+  EXPECT_FALSE(pick->isChecked());
+  EXPECT_EQ(window_.document().study().sources.front().position, placed);
+}
+
+TEST_F(Window, StandardViewsAreOnKeysAndAreDifferent) {
+  open();
+  auto* canvas = window_.view().findChild<QWidget*>();
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  canvas->setFocus();
+  QImage last = picture();
+  for (const Qt::Key key : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_5, Qt::Key_6, Qt::Key_4}) {
+    QTest::keyClick(canvas, key);
+    const QImage now = picture();
+    EXPECT_GT(differing(last, now), 3000) << static_cast<int>(key);
+    last = now;
+  }
 }
 
 TEST_F(Window, ShotsAreDrawnUpToTheLimitAndFilteredByWhatTheyMeet) {

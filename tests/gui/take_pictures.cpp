@@ -2,12 +2,13 @@
 /// Takes pictures of the window with a study, in the states a person meets: usage lorica_pictures OUT_FOLDER PREFIX
 /// STUDY CLIP@SECONDS...
 
+#include <QAction>
 #include <QApplication>
+#include <QDialog>
 #include <QDir>
+#include <QDockWidget>
 #include <QElapsedTimer>
-#include <QMessageBox>
 #include <QStyleFactory>
-#include <QSurfaceFormat>
 #include <QTest>
 #include <QTimer>
 #include <cstdio>
@@ -50,17 +51,23 @@ class Photographer {
   QString prefix_;
 };
 
+/// Takes a picture of the dialog that `open` shows, then dismisses it.
+template <class Open>
+void takeModal(Photographer& photographer, const char* name, const Open& open) {
+  QTimer::singleShot(4000, [&] {
+    if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+      photographer.take(name, dialog);
+      dialog->reject();
+    }
+  });
+  open();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   QElapsedTimer sinceStart;
   sinceStart.start();
-  QSurfaceFormat format;
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setStencilBufferSize(8);
-  QSurfaceFormat::setDefaultFormat(format);
   QApplication application(argc, argv);
   QApplication::setStyle(QStyleFactory::create("Fusion"));
   if (argc < 4) {
@@ -110,6 +117,23 @@ int main(int argc, char** argv) {
   window.document().select(lorica::document::ItemRef{lorica::document::ItemKind::organ, "liver"});
   photographer.take("after_run");
   photographer.take("shot_lines_after", &window.shotLines());
+  for (auto* dock : window.findChildren<QDockWidget*>()) {
+    if (dock->objectName() == "problems") {
+      dock->raise();
+    }
+  }
+  photographer.take("problems");
+  window.shotLines().hide();
+  takeModal(photographer, "import",
+            [&] { window.takeFiles({"../shared/data/makehuman-male/armor/tactical_vest.glb"}); });
+  takeModal(photographer, "error", [&] { window.openFile("no_such_study.lorica.json"); });
+  takeModal(photographer, "about", [&] {
+    for (QAction* action : window.findChildren<QAction*>()) {
+      if (action->text() == "&About Lorica") {
+        action->trigger();
+      }
+    }
+  });
   window.document().close();
   photographer.take("empty");
   return 0;

@@ -8,7 +8,6 @@
 #include <QDir>
 #include <QProcess>
 #include <QStandardPaths>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 
 namespace {
@@ -44,12 +43,6 @@ int main(int argc, char** argv) {
   }
   int code = 0;
   {
-    QSurfaceFormat format;
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    QSurfaceFormat::setDefaultFormat(format);
     QApplication application(argc, argv);
     QApplication::setOrganizationName("lorica-test");
     QApplication::setApplicationName("lorica-test");

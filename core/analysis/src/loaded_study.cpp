@@ -393,15 +393,12 @@ base::Issues mergedFileIssues(const LoadedStudy& result, const LoadedStudy* prev
   return merged;
 }
 
-bool needsThesisSites(const study::Study& study, const LoadOptions& options) {
-  const auto& models = study.models;
-  return options.allModels ||
-         std::find(models.begin(), models.end(), viscera::OrganModel::dynamicThesis) != models.end();
+bool usesThesisModel(const study::Study& study) {
+  return std::find(study.models.begin(), study.models.end(), viscera::OrganModel::dynamicThesis) != study.models.end();
 }
 
-bool sameBody(const LoadedStudy& result, const LoadedStudy& previous, bool thesisSites) {
-  return result.study.siteSpacing == previous.study.siteSpacing &&
-         (!thesisSites || needsThesisSites(previous.study, {}) || !previous.body->thesisSites().empty()) &&
+bool sameBody(const LoadedStudy& result, const LoadedStudy& previous) {
+  return result.study.siteSpacing == previous.study.siteSpacing && (previous.thesisSites || !result.thesisSites) &&
          sameMesh(result.study.human, result.file, previous.study.human, previous.file);
 }
 
@@ -416,10 +413,11 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
   result.file = file;
   MeshLibrary library(file);
   Loading loading{result, library, threads};
-  const bool thesisSites = needsThesisSites(result.study, options);
-  if (options.previous != nullptr && sameBody(result, *options.previous, thesisSites)) {
+  result.thesisSites = options.allModels || usesThesisModel(result.study);
+  if (options.previous != nullptr && sameBody(result, *options.previous)) {
     loading.previous = options.previous;
     result.body = options.previous->body;
+    result.thesisSites = options.previous->thesisSites;
     result.clips = options.previous->clips;
     result.bodyIssues = options.previous->bodyIssues;
   } else {
@@ -427,14 +425,17 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
     progress.report(0.25);
     parenting::RigOptions rig;
     rig.siteSpacing = result.study.siteSpacing;
-    rig.thesisSites = thesisSites;
+    rig.thesisSites = result.thesisSites;
     result.body = std::make_shared<const parenting::BodyRig>(std::move(body), rig, threads, progress.part(0.25, 0.5));
-    base::append(result.bodyIssues, result.body->issues());
   }
   loadOrgans(loading, progress.part(0.5, 0.85));
   loadArmor(loading, progress.part(0.85, 1.0));
   result.fileIssues = mergedFileIssues(result, loading.previous, library.takeIssues());
   base::append(result.issues, result.bodyIssues);
+  base::append(result.issues, result.body->issues());
+  if (usesThesisModel(result.study)) {
+    base::append(result.issues, result.body->thesisIssues());
+  }
   for (const auto& organ : result.organs) {
     base::append(result.issues, organ->issues);
   }

@@ -13,18 +13,19 @@ BodyRig::BodyRig(Body body, const RigOptions& options, base::Threads threads, co
   restScene_ = std::make_unique<raycast::Scene>(raycast::SceneUse::manyRays);
   skinMesh_ = restScene_->add(body_->skin.positions, topology_);
   restScene_->build();
-  const auto place = [&](const ParentingOptions& parenting, const char* what, const base::Progress& share) {
+  const auto place = [&](const ParentingOptions& parenting, const char* what, base::Issues& issues,
+                         const base::Progress& share) {
     InteriorSites placed = placeInteriorSites(*restScene_, skinMesh_, options.siteSpacing, parenting, threads, share);
     if (placed.unbound > 0) {
-      issues_.push_back({base::Severity::note, "", "body",
-                         fmt::format("{} of {} interior sites ({}) could not be tied to the skin and are left out",
-                                     placed.unbound, placed.unbound + placed.sites.size(), what)});
+      issues.push_back({base::Severity::note, "", "body",
+                        fmt::format("{} of {} interior sites ({}) could not be tied to the skin and are left out",
+                                    placed.unbound, placed.unbound + placed.sites.size(), what)});
     }
     return placed;
   };
-  sites_ = place({}, "default", progress.part(0.0, options.thesisSites ? 0.8 : 1.0));
+  sites_ = place({}, "default", issues_, progress.part(0.0, options.thesisSites ? 0.8 : 1.0));
   if (options.thesisSites) {
-    thesisSites_ = place(ParentingOptions::thesis(), "thesis", progress.part(0.8, 1.0));
+    thesisSites_ = place(ParentingOptions::thesis(), "thesis", thesisIssues_, progress.part(0.8, 1.0));
   }
 }
 

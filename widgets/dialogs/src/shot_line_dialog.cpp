@@ -417,6 +417,10 @@ void ShotLineDialog::setPickedPoint(const geometry::Vec3d& point) {
   if (!source_.empty()) {
     commands::setSourcePosition(document_, source_, point);
   }
+  endPicking();
+}
+
+void ShotLineDialog::endPicking() {
   pick_->setChecked(false);
 }
 
@@ -447,7 +451,7 @@ void ShotLineDialog::showEvent(QShowEvent* event) {
 
 void ShotLineDialog::hideEvent(QHideEvent* event) {
   QDialog::hideEvent(event);
-  pick_->setChecked(false);
+  endPicking();
 }
 
 void ShotLineDialog::measure() {

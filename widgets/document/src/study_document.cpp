@@ -40,6 +40,16 @@ fs::path absoluteFile(const fs::path& file) {
 
 }  // namespace
 
+bool sameNumbers(const study::Study& a, const study::Study& b) {
+  const auto bare = [](study::Study study) {
+    study.name.clear();
+    study.description.clear();
+    study.displays.clear();
+    return study;
+  };
+  return bare(a) == bare(b);
+}
+
 bool exists(const StudyDocument& document, const ItemRef& item) {
   if (!document.hasStudy()) {
     return false;

@@ -36,10 +36,7 @@ void computeNormals(Frame& frame) {
   }
   base::parallelFor(tasks.size(), 1, {}, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
-      // Into the buffer that is there: the graphics side holds its address.
-      const std::vector<geometry::Vec3f> normals = geometry::vertexNormals(*tasks[t].positions, *tasks[t].triangles);
-      tasks[t].normals->resize(normals.size());
-      std::copy(normals.begin(), normals.end(), tasks[t].normals->begin());
+      *tasks[t].normals = geometry::vertexNormals(*tasks[t].positions, *tasks[t].triangles);
     }
   });
 }

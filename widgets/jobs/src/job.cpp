@@ -1,21 +1,12 @@
 #include "lorica/jobs/job.h"
 
-#include <cmath>
-
 #include "lorica/base/error.h"
+#include "lorica/base/readable.h"
 
 namespace lorica::jobs {
 
 QString readableTime(double seconds) {
-  const auto whole = static_cast<long long>(std::ceil(seconds));
-  const auto twoDigits = [](long long value) { return QString::number(value).rightJustified(2, u'0'); };
-  if (whole >= 3600) {
-    return QStringLiteral("%1 h %2 min").arg(QString::number(whole / 3600), twoDigits(whole % 3600 / 60));
-  }
-  if (whole >= 60) {
-    return QStringLiteral("%1 min %2 s").arg(QString::number(whole / 60), twoDigits(whole % 60));
-  }
-  return QStringLiteral("%1 s").arg(whole);
+  return QString::fromStdString(base::readableTime(seconds));
 }
 
 QString sentenceOf(const std::exception_ptr& error) {

@@ -30,15 +30,14 @@ QString RunController::trouble() const {
   if (loaded == nullptr) {
     return tr("The study is not read yet; the problems panel says why when it cannot be.");
   }
-  study::Study read = loaded->study;
-  read.displays = document_.study().displays;
-  if (!(read == document_.study())) {
+  const study::Study& study = document_.study();
+  if (!document::sameNumbers(loaded->study, study)) {
     return tr("The last edits are not read yet; the problems panel says why when they cannot be.");
   }
-  if (read.sources.empty()) {
+  if (study.sources.empty()) {
     return tr("The study has no source to shoot from; add one.");
   }
-  if (read.models.empty()) {
+  if (study.models.empty()) {
     return tr("No organ model is chosen; choose at least one.");
   }
   return {};
@@ -48,9 +47,9 @@ QString RunController::start() {
   if (const QString why = trouble(); !why.isEmpty()) {
     return why;
   }
-  // The run keeps the study as it is now, with its present look.
+  // The run keeps the study as it is now, with its present names and look.
   auto study = std::make_shared<analysis::LoadedStudy>(*document_.loaded());
-  study->study.displays = document_.study().displays;
+  study->study = document_.study();
   auto result = std::make_shared<analysis::RunResult>();
   job_ = std::make_unique<Job>(tr("Shooting"), [study, result](const base::Progress& progress) {
     *result = analysis::run(*study, {}, progress);

@@ -1,12 +1,11 @@
 #include "lorica/models/numbers.h"
 
-#include <QLocale>
+#include "lorica/base/readable.h"
 
 namespace lorica::models {
 
 QString grouped(std::uint64_t count) {
-  static const QLocale english(QLocale::English, QLocale::UnitedStates);
-  return english.toString(static_cast<qulonglong>(count));
+  return QString::fromStdString(base::readableCount(count));
 }
 
 QString fixed(double value, int decimals) {

@@ -25,16 +25,6 @@ namespace lorica::panels {
 using document::ItemRef;
 using models::ResultsModel;
 
-bool sameNumbers(const study::Study& a, const study::Study& b) {
-  const auto bare = [](study::Study study) {
-    study.name.clear();
-    study.description.clear();
-    study.displays.clear();
-    return study;
-  };
-  return bare(a) == bare(b);
-}
-
 ResultsPanel::ResultsPanel(document::StudyDocument& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
@@ -264,7 +254,7 @@ void ResultsPanel::updateCaution() {
     if (run()->result.partial) {
       texts << tr("Partial: the run was cancelled; only its finished trials are counted.");
     }
-    if (!sameNumbers(run()->study->study, document_.study())) {
+    if (!document::sameNumbers(run()->study->study, document_.study())) {
       texts << tr("The study was changed after this run.");
     }
   }

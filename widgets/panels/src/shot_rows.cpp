@@ -10,6 +10,8 @@
 #include <limits>
 
 #include "lorica/commands/edits.h"
+#include "lorica/geometry/measures.h"
+#include "lorica/models/model_texts.h"
 #include "lorica/panels/property_form.h"
 
 namespace lorica::panels {
@@ -32,30 +34,9 @@ geometry::Vec3d middleOfBody(const document::StudyDocument& document) {
   if (document.loaded() == nullptr) {
     return {0.0, 1.0, 0.0};
   }
-  geometry::Box3d box;
-  for (const geometry::Vec3f& vertex : document.loaded()->body->body().skin.positions) {
-    box.extend(vertex.cast<double>());
-  }
+  const geometry::Box3d box = geometry::bounds(document.loaded()->body->body().skin.positions);
   const auto millimetres = [](double x) { return std::round(x * 1000.0) / 1000.0; };
   return {millimetres(box.center().x()), millimetres(box.center().y()), millimetres(box.center().z())};
-}
-
-struct ModelText {
-  study::OrganModel model;
-  QString label;
-  QString tip;
-};
-
-std::array<ModelText, 4> modelTexts() {
-  using study::OrganModel;
-  return {{{OrganModel::staticJoint, Text::tr("Static, by joint"),
-            Text::tr("Rigid, carried by one joint: what a plain static organ does.")},
-           {OrganModel::staticSkin, Text::tr("Static, by skin"),
-            Text::tr("Rigid, carried by the skin around it, position and orientation.")},
-           {OrganModel::dynamicThesis, Text::tr("Dynamic, thesis"),
-            Text::tr("Deformed by a lattice that follows the nearest interior site, as the thesis has it.")},
-           {OrganModel::dynamic, Text::tr("Dynamic"),
-            Text::tr("Deformed by a lattice that follows blended interior sites: the best model.")}}};
 }
 
 }  // namespace
@@ -135,7 +116,7 @@ void addRunRows(PropertyForm& form) {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(form.fontMetrics().height() / 6);
   std::vector<std::pair<QCheckBox*, study::OrganModel>> boxes;
-  for (const ModelText& text : modelTexts()) {
+  for (const models::ModelText& text : models::modelTexts()) {
     auto* box = new QCheckBox(text.label, models);
     box->setObjectName(QStringLiteral("model_") + QString::fromStdString(viscera::name(text.model)));
     box->setToolTip(text.tip);
@@ -146,7 +127,7 @@ void addRunRows(PropertyForm& form) {
         return;
       }
       std::vector<study::OrganModel> chosen;
-      for (const ModelText& other : modelTexts()) {
+      for (const models::ModelText& other : models::modelTexts()) {
         const auto& now = document.study().models;
         const bool there = std::find(now.begin(), now.end(), other.model) != now.end();
         if (other.model == model ? on : there) {

@@ -49,7 +49,6 @@ void MeshPresenter::restyle(const document::StudyDocument& document) {
     property->SetOpacity(look.opacity);
     // A selected structure glows a little, whatever its colour.
     property->SetAmbient(selected ? 0.55 : 0.15);
-    property->SetEdgeVisibility(0);
     property->SetAmbientColor(selected ? 1.0 : look.colour.redF(), selected ? 0.85 : look.colour.greenF(),
                               selected ? 0.2 : look.colour.blueF());
   }

@@ -14,7 +14,6 @@ Pane::Pane(std::size_t model, vtkCamera* camera) {
   renderer_->SetBackground(0.86, 0.88, 0.90);
   renderer_->SetBackground2(0.97, 0.975, 0.98);
   renderer_->SetUseDepthPeeling(1);
-  renderer_->SetMaximumNumberOfPeels(4);
   renderer_->SetOcclusionRatio(0.0);
   renderer_->UseFXAAOn();
   renderer_->AutomaticLightCreationOff();

@@ -14,6 +14,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QSurfaceFormat>
 #include <QVBoxLayout>
 #include <chrono>
 #include <cmath>
@@ -82,8 +83,12 @@ struct SceneView::Impl {
   std::string shotFilter;
   std::optional<Vec3d> sourcePick;
   QPointF pressed;
+  bool moving = false;
   double drawMs = 0.0;
   std::chrono::steady_clock::time_point drawStart;
+
+  /// Depth layers of what is translucent.
+  int peels() const { return moving ? 2 : 4; }
 };
 
 SceneView::SceneView(document::StudyDocument& document, QWidget* parent)
@@ -91,6 +96,10 @@ SceneView::SceneView(document::StudyDocument& document, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   impl_->widget = new QVTKOpenGLNativeWidget(this);
+  // Its own contexts, whatever the program's default is; without multisampling, which depth peeling does not go with.
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  impl_->widget->setFormat(format);
   impl_->widget->setRenderWindow(impl_->window);
   impl_->widget->setFocusPolicy(Qt::StrongFocus);
   impl_->widget->installEventFilter(this);
@@ -171,6 +180,7 @@ void SceneView::arrangePanes(std::size_t count) {
     const double left = static_cast<double>(p) * share;
     // A thin line of background between the panes.
     pane->renderer()->SetViewport(left + (p > 0 ? 0.001 : 0.0), 0.0, left + share, 1.0);
+    pane->setPeels(impl_->peels());
     pane->shots().setFilter(impl_->shotFilter);
     impl_->window->AddRenderer(pane->renderer());
     impl_->panes.push_back(std::move(pane));
@@ -209,13 +219,19 @@ void SceneView::render() {
   for (const auto& pane : impl_->panes) {
     pane->renderer()->ResetCameraClippingRange();
   }
-  impl_->widget->update();
   impl_->window->Render();
 }
 
 void SceneView::setMoving(bool moving) {
+  if (moving == impl_->moving) {
+    return;
+  }
+  impl_->moving = moving;
   for (const auto& pane : impl_->panes) {
-    pane->setPeels(moving ? 2 : 4);
+    pane->setPeels(impl_->peels());
+  }
+  if (!moving) {
+    render();
   }
 }
 
@@ -351,8 +367,13 @@ void SceneView::click(const QPointF& place) {
     const double reach = (*impl_->sourcePick - middle).norm();
     std::optional<Vec3d> position;
     if (!hits.empty()) {
-      const Vec3d point = near + hits.front().t * direction;
-      position = point - reach * direction;
+      // Where the line of sight enters the sphere around the body's middle on which the source is.
+      const Vec3d out = near - middle;
+      const double along = out.dot(direction);
+      const double within = along * along - out.squaredNorm() + reach * reach;
+      if (within >= 0.0) {
+        position = near - (along + std::sqrt(within)) * direction;
+      }
     } else if (const double floor = geometry::bounds(frame.study->body->body().skin.positions).min().y();
                direction.y() < -1e-3 && near.y() > floor) {
       position = near + (floor - near.y()) / direction.y() * direction;

@@ -44,6 +44,8 @@ class BodyRig {
   const std::vector<SkinSite>& sites() const { return sites_.sites; }
   const std::vector<SkinSite>& thesisSites() const { return thesisSites_.sites; }
   const base::Issues& issues() const { return issues_; }
+  /// Of placing the sites of the thesis' settings; of no interest where they are not used.
+  const base::Issues& thesisIssues() const { return thesisIssues_; }
   /// The skin at rest, as the only mesh of a scene.
   const raycast::Scene& restScene() const { return *restScene_; }
   raycast::MeshIndex skinMesh() const { return skinMesh_; }
@@ -62,6 +64,7 @@ class BodyRig {
   InteriorSites sites_;
   InteriorSites thesisSites_;
   base::Issues issues_;
+  base::Issues thesisIssues_;
 };
 
 }  // namespace lorica::parenting

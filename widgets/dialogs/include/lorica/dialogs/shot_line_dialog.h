@@ -49,6 +49,8 @@ class ShotLineDialog : public QDialog {
 
   /// A point picked in the view becomes the source's position, and picking ends.
   void setPickedPoint(const geometry::Vec3d& point);
+  /// Picking ended without a point.
+  void endPicking();
   const ShotDisplay& shotDisplay() const { return display_; }
   /// Name of the source that is edited; empty when the study has none.
   const std::string& source() const { return source_; }

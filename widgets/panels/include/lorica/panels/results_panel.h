@@ -75,8 +75,4 @@ class ResultsPanel : public QWidget {
   bool following_ = false;  ///< the selection comes from the document
 };
 
-/// Whether two studies give the same tables: names and descriptions of the whole, and how things are drawn, change no
-/// number.
-bool sameNumbers(const study::Study& a, const study::Study& b);
-
 }  // namespace lorica::panels

@@ -37,7 +37,8 @@ class SceneView : public QWidget {
   void setShotFilter(const std::string& met);
   /// While something moves, fewer layers of what is translucent are drawn.
   void setMoving(bool moving);
-  /// The next click places a shot source: it is put where the click points to, as far from the body as `current` is,
+  /// The next click places a shot source: on the body, it is put towards the viewer, as far from the body's middle as
+  /// `current` is; on the floor, above that place, as high as `current`;
   /// and picked() says where. None: no more.
   void pickSource(const std::optional<geometry::Vec3d>& current);
   bool isPicking() const;

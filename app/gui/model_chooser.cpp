@@ -1,42 +1,23 @@
-#include "models_menu.h"
+#include "model_chooser.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <algorithm>
-#include <array>
+
+#include "lorica/models/model_texts.h"
 
 namespace lorica::gui {
 
-namespace {
-
 using viscera::OrganModel;
-
-constexpr std::array models = {OrganModel::staticJoint, OrganModel::staticSkin, OrganModel::dynamicThesis,
-                               OrganModel::dynamic};
-
-QString label(OrganModel model) {
-  switch (model) {
-    case OrganModel::staticJoint:
-      return ModelChooser::tr("static, by joint");
-    case OrganModel::staticSkin:
-      return ModelChooser::tr("static, by skin");
-    case OrganModel::dynamicThesis:
-      return ModelChooser::tr("dynamic, thesis");
-    case OrganModel::dynamic:
-      return ModelChooser::tr("dynamic");
-  }
-  return {};
-}
-
-}  // namespace
 
 ModelChooser::ModelChooser(document::StudyDocument& document, QWidget* parent)
     : QWidget(parent), document_(document), first_(new QComboBox), second_(new QComboBox) {
-  second_->addItem(tr("nothing"), -1);
-  for (const OrganModel model : models) {
-    first_->addItem(label(model), static_cast<int>(model));
-    second_->addItem(label(model), static_cast<int>(model));
+  second_->addItem(tr("Nothing"), -1);
+  for (const models::ModelText& text : models::modelTexts()) {
+    for (QComboBox* combo : {first_, second_}) {
+      combo->addItem(text.label, static_cast<int>(text.model));
+      combo->setItemData(combo->count() - 1, text.tip, Qt::ToolTipRole);
+    }
   }
   first_->setToolTip(tr("How organs follow the body in the view"));
   second_->setToolTip(tr("A second picture with another model, seen from the same side"));
