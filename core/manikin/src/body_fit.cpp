@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lorica/manikin/body.h"
 #include "tape.h"
 
 namespace lorica::manikin {
