@@ -52,8 +52,16 @@ double cavityRatio(double measured, double canonical, double stature) {
 }
 
 bool isArm(std::string_view joint) {
-  constexpr std::array<std::string_view, 10> stems{"acromioclavicular", "glenohumeral", "elbow", "radioulnar", "wrist",
-                                                   "thumb",             "index",        "middle", "ring",      "little"};
+  constexpr std::array<std::string_view, 10> stems{"acromioclavicular",
+                                                   "glenohumeral",
+                                                   "elbow",
+                                                   "radioulnar",
+                                                   "wrist",
+                                                   "thumb",
+                                                   "index",
+                                                   "middle",
+                                                   "ring",
+                                                   "little"};
   return std::any_of(stems.begin(), stems.end(), [&](std::string_view stem) { return joint.starts_with(stem); });
 }
 
