@@ -1,31 +1,17 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 #include <string_view>
-#include <utility>
 
-#include "lorica/base/error.h"
 #include "lorica/base/table.h"
 #include "lorica/manikin/organs.h"
-#include "organ_tables.h"
+#include "tables.h"
 
 namespace lorica::manikin {
-
-/// Written at build time from resources/tables.
-std::span<const std::pair<std::string_view, std::string_view>> embeddedOrganTables();
 
 namespace {
 
 using human::Person;
 using human::Sex;
-
-base::Table embedded(std::string_view name) {
-  const auto files = embeddedOrganTables();
-  const auto found = std::find_if(files.begin(), files.end(), [&](const auto& file) { return file.first == name; });
-  LORICA_CHECK(found != files.end(), "the table is embedded");
-  return {found->second, std::string(name)};
-}
 
 /// The adults of ICRP 89.
 Person reference(Sex sex) {
@@ -71,16 +57,6 @@ double growth(Rule rule, const Person& person, const OrganOptions& options, doub
 }
 
 }  // namespace
-
-const base::Table& organTable() {
-  static const base::Table table = embedded("organs");
-  return table;
-}
-
-const base::Table& vesselTable() {
-  static const base::Table table = embedded("vessels");
-  return table;
-}
 
 double heartTransverseDiameter(const Person& person) {
   constexpr double kilogramsPerPound = 0.45359237;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include "lorica/geometry/closest_point.h"
@@ -11,6 +13,7 @@
 #include "organ_frame.h"
 #include "organ_lattice.h"
 #include "organ_shapes.h"
+#include "vessel_routes.h"
 
 namespace lorica::manikin {
 
@@ -189,7 +192,7 @@ class Builder {
   Builder(const Body& body, const OrganOptions& options) : frame_(body), skin_(body.skin), threads_(options.threads) {
     const Vec3d low = frame_.toBody({-0.22, 0.80, -0.20});
     const Vec3d high = frame_.toBody({0.22, kCanonicalStature, 0.16});
-    depth_ = Lattice::over(Box3d(low, high), 0.008 * frame_.scale());
+    depth_ = Lattice::over(Box3d(low, high), 0.011 * frame_.scale());
     sample(depth_, frame_, threads_, [&](const Level&, const Vec3d& p) { return skin_.signedDistance(p); });
   }
 
@@ -199,8 +202,60 @@ class Builder {
     Lattice lattice = Lattice::over(bodyBox(recipe), recipe.cell * frame_.scale());
     fillShape(lattice, recipe);
     const std::vector<double> limits = limitsOn(lattice, recipe);
+    return finish(std::move(lattice), limits, recipe.fillet, recipe.edge, volume, 1);
+  }
+
+  /// Eyeballs at their joints, or where they are in the canonical man, as far forward as the lids allow.
+  TriangleMesh makeEyes(const human::Skeleton& skeleton, double volume) {
+    const double radius = std::cbrt(0.5 * volume * 0.75 / std::numbers::pi);
+    std::array<Vec3d, 2> centres;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto joint = skeleton.find(side == 0 ? "eye_L" : "eye_R");
+      const double x = side == 0 ? 0.0319 : -0.0319;
+      Vec3d centre = joint ? skeleton.restPosition(*joint) : frame_.toBody({x, 1.641, 0.066});
+      constexpr double lids = 0.0035;
+      for (int i = 0; i < 40 && skin_.signedDistance(centre) > -(radius + lids); ++i) {
+        centre.z() -= 0.001;
+      }
+      centres[side] = centre;
+    }
+    Box3d box(centres[0]);
+    box.extend(centres[1]);
+    const Vec3d margin = Vec3d::Constant(radius + 0.006);
+    Lattice lattice = Lattice::over(Box3d(box.min() - margin, box.max() + margin), 0.0016);
+    sample(lattice, frame_, threads_, [&](const Level&, const Vec3d& p) {
+      double field = 1.0;
+      for (const Vec3d& centre : centres) {
+        // The cornea stands out a little.
+        const double ball = (p - centre).norm() - radius;
+        const double cornea = (p - centre - Vec3d(0.0, 0.0, 0.45 * radius)).norm() - 0.62 * radius;
+        field = std::min(field, smoothUnion(ball, cornea, 0.002));
+      }
+      return field;
+    });
+    const std::vector<double> limits(lattice.values.size(), -1.0);
+    return finish(std::move(lattice), limits, 0.001, 0.0026, volume, 2);
+  }
+
+  /// Lays the vessels between what is there; later organs keep clear of them.
+  void layVessels(const Body& body) {
+    vessels_ = vesselRoutes(body, frame_);
+    Surroundings around;
+    for (const Lattice& solid : placed_) {
+      around.solids.push_back(&solid);
+    }
+    around.bone = [this](const Vec3d& p) { return frame_.scale() * boneShape(frame_.toCanonical(p)); };
+    around.skin = &skin_;
+    settle(vessels_, around);
+  }
+
+  TriangleMesh vesselMesh(bool arteries) const { return vesselSurface(vessels_, arteries); }
+
+ private:
+  TriangleMesh finish(Lattice lattice, const std::vector<double>& limits, double filletCanonical, double edge,
+                      double volume, std::size_t pieces) {
     const std::vector<double> shape = lattice.values;
-    const double fillet = recipe.fillet * frame_.scale();
+    const double fillet = filletCanonical * frame_.scale();
     const auto swell = [&](double by) {
       for (std::size_t i = 0; i < shape.size(); ++i) {
         lattice.values[i] = smoothIntersection(shape[i] - by, limits[i], fillet);
@@ -211,13 +266,13 @@ class Builder {
       by = swellingFor(volume, lattice, swell);
     }
     swell(by);
-    TriangleMesh mesh = surfaceOf(lattice, 1);
-    for (int i = 0; volume > 0.0 && i < 3; ++i) {
+    TriangleMesh mesh = surfaceOf(lattice, pieces);
+    for (int i = 0; volume > 0.0 && i < 2; ++i) {
       by += (volume - geometry::signedVolume(mesh)) / geometry::area(mesh);
       swell(by);
-      mesh = surfaceOf(lattice, 1);
+      mesh = surfaceOf(lattice, pieces);
     }
-    mesh = evenTriangles(mesh, lattice, recipe.edge * frame_.scale());
+    mesh = evenTriangles(mesh, lattice, edge * frame_.scale());
     if (volume > 0.0) {
       adjustVolume(mesh, volume);
     }
@@ -225,7 +280,6 @@ class Builder {
     return mesh;
   }
 
- private:
   Box3d bodyBox(const Recipe& recipe) const {
     Box3d box;
     constexpr int steps = 4;
@@ -268,16 +322,26 @@ class Builder {
       }
     }
     const bool beside = std::string_view(recipe.name) != "spinal_cord";
+    constexpr double boneReach = 0.045;
+    Lattice vessels = lattice;
+    std::fill(vessels.values.begin(), vessels.values.end(), 1.0);
+    for (const Vessel& vessel : vessels_) {
+      stampTube(vessels, vessel.stations, 0.012);
+    }
     sample(limits, frame_, threads_, [&](const Level& level, const Vec3d& p) {
       double limit = depth_.at(p, 1.0) + recipe.depth;
-      if (beside) {
-        limit = std::max(limit, recipe.gap - scale * boneShape(level.toCanonical(p.x(), p.z())));
+      const Vec3d canonical = level.toCanonical(p.x(), p.z());
+      if (beside && std::abs(canonical.x()) < boneReach) {
+        limit = std::max(limit, recipe.gap - scale * boneShape(canonical));
       }
       for (const Lattice* other : near) {
         limit = std::max(limit, recipe.gap - other->at(p));
       }
       return limit;
     });
+    for (std::size_t i = 0; i < limits.values.size(); ++i) {
+      limits.values[i] = std::max(limits.values[i], recipe.gap - vessels.values[i]);
+    }
     return std::move(limits.values);
   }
 
@@ -318,7 +382,8 @@ class Builder {
   geometry::ClosestPointTree skin_;
   base::Threads threads_;
   Lattice depth_;  ///< signed distance to the skin
-  std::vector<Lattice> placed_;
+  std::deque<Lattice> placed_;
+  std::vector<Vessel> vessels_;
 };
 
 }  // namespace
@@ -329,12 +394,19 @@ std::vector<Organ> organsOf(const Body& body, const OrganOptions& options, const
   const double innerBreadth = 2.0 * (builder.frame().chestHalfBreadth() - wall);
   std::map<std::string, TriangleMesh> made;
   const std::vector<OrganTarget> targets = organTargets(body.person, options, innerBreadth);
+  const auto volumeOf = [&](std::string_view name) {
+    return std::find_if(targets.begin(), targets.end(), [&](const OrganTarget& t) { return t.name == name; })->volume;
+  };
+  made["eyes"] = builder.makeEyes(body.skeleton, volumeOf("eyes"));
   for (std::size_t i = 0; i < recipes().size(); ++i) {
     progress.check();
     const Recipe& recipe = recipes()[i];
-    const auto target =
-        std::find_if(targets.begin(), targets.end(), [&](const OrganTarget& t) { return t.name == recipe.name; });
-    made[recipe.name] = builder.make(recipe, target->volume);
+    made[recipe.name] = builder.make(recipe, volumeOf(recipe.name));
+    if (std::string_view(recipe.name) == "heart") {
+      builder.layVessels(body);
+      made["arteries"] = builder.vesselMesh(true);
+      made["veins"] = builder.vesselMesh(false);
+    }
     progress.report(static_cast<double>(i + 1) / static_cast<double>(recipes().size()));
   }
   std::vector<Organ> organs;

@@ -1,12 +1,14 @@
 #pragma once
 
 /// \file
-/// The published tables that organs and vessels are made from, embedded in the program.
+/// The published tables the built-in human is made from, embedded in the program.
 
 #include "lorica/base/table.h"
 
 namespace lorica::manikin {
 
+const base::Table& anthropometryTable();
+const base::Table& jointTable();
 const base::Table& organTable();
 const base::Table& vesselTable();
 
