@@ -33,9 +33,9 @@ struct Bone {
 Vec3d canonicalJoint(const std::string& name, bool right) {
   const base::Table& table = jointTable();
   const std::size_t row = table.find("joint", name + "_L");
-  const Vec3d left = kCanonicalStature * Vec3d(table.number(row, "x_left_frac_stature"),
-                                               table.number(row, "y_up_frac_stature_male"),
-                                               table.number(row, "z_fwd_frac_stature"));
+  const Vec3d left =
+      kCanonicalStature * Vec3d(table.number(row, "x_left_frac_stature"), table.number(row, "y_up_frac_stature_male"),
+                                table.number(row, "z_fwd_frac_stature"));
   return right ? Vec3d(-left.x(), left.y(), left.z()) : left;
 }
 
@@ -171,8 +171,8 @@ class Settler {
         const std::size_t b = order[j];
         const Where& wa = where_[a];
         const Where& wb = where_[b];
-        const bool neighbours = wa.vessel == wb.vessel && std::max(wa.station, wb.station) <
-                                                               std::min(wa.station, wb.station) + 12;
+        const bool neighbours =
+            wa.vessel == wb.vessel && std::max(wa.station, wb.station) < std::min(wa.station, wb.station) + 12;
         const double wanted = radius(a) + radius(b) + around_.gap;
         const Vec3d between = place(b) - place(a);
         const double distance = between.norm();
@@ -287,18 +287,17 @@ std::vector<Vessel> vesselRoutes(const Body& body, const AnatomyFrame& frame) {
     const bool fromMiddle = vessel.parent && vessels[*vessel.parent].name == course.parent;
     std::vector<Station> waypoints;
     for (const std::size_t row : course.rows) {
-      Vec3d p = kCanonicalStature * Vec3d(table.number(row, "x_left_frac_stature"),
-                                          table.number(row, "y_up_frac_stature"),
-                                          table.number(row, "z_fwd_frac_stature"));
+      Vec3d p =
+          kCanonicalStature * Vec3d(table.number(row, "x_left_frac_stature"), table.number(row, "y_up_frac_stature"),
+                                    table.number(row, "z_fwd_frac_stature"));
       // Both sides are given as the left one; where they leave a vessel of the middle, the place is the middle's.
       const bool shared = row == course.rows.front() && fromMiddle;
       if (course.side == "both" && end == "_R" && !shared) {
         p.x() = -p.x();
       }
       const std::string& carrier = table.text(row, "frame");
-      const Vec3d place = carrier == "trunk"
-                              ? frame.toBody(p)
-                              : (end == "_R" ? right : left).at(carrier).toBody(p, frame.scale());
+      const Vec3d place =
+          carrier == "trunk" ? frame.toBody(p) : (end == "_R" ? right : left).at(carrier).toBody(p, frame.scale());
       waypoints.push_back({place, 0.5e-3 * table.number(row, "diameter_mm") * frame.scale()});
     }
     vessel.stations = smoothTube(waypoints, kStep * frame.scale());

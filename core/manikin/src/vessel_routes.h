@@ -30,11 +30,11 @@ std::vector<Vessel> vesselRoutes(const Body& body, const AnatomyFrame& frame);
 
 /// What vessels keep clear of.
 struct Surroundings {
-  std::vector<const Lattice*> solids;                  ///< distances, positive outside
-  std::function<double(const Vec3d&)> bone;            ///< the same
+  std::vector<const Lattice*> solids;        ///< distances, positive outside
+  std::function<double(const Vec3d&)> bone;  ///< the same
   const geometry::ClosestPointTree* skin = nullptr;
-  double gap = 0.0015;                                 ///< between walls, m
-  double skinDepth = 0.0025;                           ///< of the wall, m
+  double gap = 0.0015;        ///< between walls, m
+  double skinDepth = 0.0025;  ///< of the wall, m
 };
 
 /// Moves the stations until walls keep their distances, as far as that goes; courses stay smooth.

@@ -14,7 +14,7 @@ using std::numbers::pi;
 
 /// Corners around a tube that is this wide.
 std::size_t sidesFor(double radius) {
-  return radius < 0.0028 ? 8 : radius < 0.0048 ? 10 : radius < 0.0075 ? 12 : 16;
+  return radius < 0.0024 ? 6 : radius < 0.0040 ? 8 : radius < 0.0055 ? 10 : radius < 0.0075 ? 12 : 16;
 }
 
 /// A closed round of vertices, counter-clockwise seen against the direction in which the tube runs.
@@ -50,11 +50,21 @@ class Sweeper {
       }
     }
     soften();
+    // The corners inside the holes have gone.
     geometry::TriangleMesh mesh;
-    for (const Vec3d& p : points_) {
-      mesh.positions.push_back(p.cast<float>());
+    constexpr std::uint32_t none = 0xFFFFFFFF;
+    std::vector<std::uint32_t> renamed(points_.size(), none);
+    for (geometry::Triangle triangle : triangles_) {
+      for (std::uint32_t& vertex : triangle) {
+        std::uint32_t& name = renamed[vertex];
+        if (name == none) {
+          name = static_cast<std::uint32_t>(mesh.positions.size());
+          mesh.positions.push_back(points_[vertex].cast<float>());
+        }
+        vertex = name;
+      }
+      mesh.triangles.push_back(triangle);
     }
-    mesh.triangles = std::move(triangles_);
     return mesh;
   }
 
@@ -100,7 +110,7 @@ class Sweeper {
       const double reach = std::max(0.6 * here.radius, 0.0015);
       const Vec3d along = (at(s + reach).place - at(s - reach).place).normalized();
       // Fewer corners only where the tube is clearly thinner, so that the rings of one stretch match.
-      while (sides > 8 && sidesFor(1.1 * here.radius) < sides) {
+      while (sides > 6 && sidesFor(1.1 * here.radius) < sides) {
         sides -= sides == 16 ? 4 : 2;
       }
       tube.rings.push_back(ring(here.place, along, up, here.radius, sides));
@@ -109,7 +119,7 @@ class Sweeper {
         break;
       }
       const double side = 2.0 * pi * here.radius / static_cast<double>(sides);
-      const double stretch = here.radius > 0.004 ? 1.15 : 1.7;
+      const double stretch = here.radius > 0.006 ? 1.2 : here.radius > 0.003 ? 1.8 : 2.4;
       const double rest = arc.back() - s;
       const double step = stretch * side;
       s = rest < 1.5 * step ? arc.back() : s + step;
