@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lorica/geometry/intersections.h"
 #include "lorica/geometry/isosurface.h"
 #include "lorica/geometry/mesh_audit.h"
 
@@ -114,6 +115,70 @@ void stampTube(Lattice& lattice, std::span<const Station> tube, double reach) {
         for (std::size_t i = first[0]; i <= last[0]; ++i) {
           double& value = lattice.values[lattice.index(i, j, k)];
           value = std::min(value, taperedCapsule(lattice.place(i, j, k), a.place, b.place, a.radius, b.radius));
+        }
+      }
+    }
+  }
+}
+
+void blur(Lattice& lattice) {
+  const std::array<std::size_t, 3> stride{1, lattice.points[0], lattice.points[0] * lattice.points[1]};
+  std::vector<double> line;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t w = (axis + 2) % 3;
+    const std::size_t n = lattice.points[axis];
+    line.resize(n);
+    for (std::size_t a = 0; a < lattice.points[u]; ++a) {
+      for (std::size_t b = 0; b < lattice.points[w]; ++b) {
+        double* first = lattice.values.data() + a * stride[u] + b * stride[w];
+        for (std::size_t i = 0; i < n; ++i) {
+          line[i] = first[i * stride[axis]];
+        }
+        for (std::size_t i = 1; i + 1 < n; ++i) {
+          first[i * stride[axis]] = 0.25 * line[i - 1] + 0.5 * line[i] + 0.25 * line[i + 1];
+        }
+      }
+    }
+  }
+}
+
+void untangle(geometry::TriangleMesh& mesh, base::Threads threads) {
+  constexpr int rounds = 15;
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<geometry::TrianglePair> pairs = geometry::selfIntersections(mesh, threads);
+    if (pairs.empty()) {
+      return;
+    }
+    std::vector<bool> moving(mesh.positions.size());
+    for (const geometry::TrianglePair& pair : pairs) {
+      for (const std::uint32_t t : {pair.first, pair.second}) {
+        for (const std::uint32_t vertex : mesh.triangles[t]) {
+          moving[vertex] = true;
+        }
+      }
+    }
+    for (int ring = 0; ring <= round / 4; ++ring) {
+      const std::vector<bool> core = moving;
+      for (const geometry::Triangle& t : mesh.triangles) {
+        if (core[t[0]] || core[t[1]] || core[t[2]]) {
+          moving[t[0]] = moving[t[1]] = moving[t[2]] = true;
+        }
+      }
+    }
+    for (int pass = 0; pass < 3; ++pass) {
+      std::vector<Vec3d> sums(mesh.positions.size(), Vec3d::Zero());
+      std::vector<double> counts(mesh.positions.size(), 0.0);
+      for (const geometry::Triangle& t : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          sums[t[k]] += mesh.positions[t[(k + 1) % 3]].cast<double>();
+          counts[t[k]] += 1.0;
+        }
+      }
+      for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        if (moving[v]) {
+          const Vec3d moved = 0.5 * mesh.positions[v].cast<double>() + 0.5 * sums[v] / counts[v];
+          mesh.positions[v] = moved.cast<float>();
         }
       }
     }

@@ -49,7 +49,9 @@ double lungBody(const Vec3d& q, double inner) {
   const double radius = std::sqrt(round * round + v * v);
   const double scale = radius > 1e-9 ? Vec3d(q.x() - centre, up, dz).norm() / radius : semi.x();
   const double body = radius > 1e-9 ? scale * (radius - 1.0) : -semi.x();
-  return smoothIntersection(body, inner - q.x(), 0.02);
+  // Hollowed where bronchus and vessels come in.
+  const double hilum = ellipsoidField(q, {0.022, 1.372, -0.034}, {0.026, 0.040, 0.026});
+  return smoothIntersection(smoothIntersection(body, inner - q.x(), 0.02), -hilum, 0.012);
 }
 
 /// Furrow on a lung along the plane through `at` with the normal `normal`.
@@ -81,7 +83,7 @@ double heartShape(const Vec3d& p) {
   const double rightAtrium = ellipsoidField(p, {-0.029, 1.312, 0.006}, {0.0290, 0.0430, 0.0310});
   const double leftAtrium = ellipsoidField(p, {0.004, 1.338, -0.026}, {0.0370, 0.0270, 0.0230});
   const double auricle = taperedCapsule(p, {0.030, 1.345, -0.008}, {0.040, 1.337, 0.014}, 0.012, 0.008);
-  const double aorticRoot = taperedCapsule(p, {-0.004, 1.330, 0.012}, {-0.014, 1.374, 0.018}, 0.0165, 0.0150);
+  const double aorticRoot = taperedCapsule(p, {-0.002, 1.325, 0.010}, {-0.008, 1.346, 0.014}, 0.0165, 0.0150);
   const double trunk = taperedCapsule(p, {0.008, 1.325, 0.036}, {0.016, 1.372, 0.016}, 0.0150, 0.0140);
   // The furrow between the ventricles runs down to the left of the front.
   const double ventricles = smoothUnion(leftVentricle, rightVentricle, 0.006);
@@ -128,6 +130,9 @@ double liverShape(const Vec3d& p) {
   const double back = (-0.085 + 0.105 * behind) - p.z();
   double field = smoothIntersection(smoothIntersection(wall, under, 0.030), below, 0.020);
   field = smoothIntersection(smoothIntersection(field, leftEnd, 0.025), back, 0.025);
+  // The caval vein lies in an open furrow of the back.
+  const double furrow = taperedCapsule(p, {-0.026, 1.10, -0.062}, {-0.026, 1.33, -0.072}, 0.026, 0.026);
+  field = smoothIntersection(field, -furrow, 0.012);
   // The fissure of the round ligament between the lobes, on the front and below.
   const double ligament = 0.007 * sheet(p.x() - 0.012, 0.0040) * smoothStep(-0.01, 0.03, p.z());
   const double gallbladder = 0.008 * sheet(p.x() + 0.050, 0.013) * smoothStep(0.0, 0.05, p.z()) * sheet(below, 0.02);
@@ -221,17 +226,17 @@ double brainShape(const Vec3d& p) {
   const double base = 1.648 + 0.16 * std::max(q.z(), 0.0) - q.y();
   double cerebrum = smoothIntersection(whole, base, 0.020);
   const double temporal = taperedCapsule(q, {0.044, 1.640, 0.026}, {0.047, 1.648, -0.030}, 0.0175, 0.0190);
-  cerebrum = smoothUnion(cerebrum, temporal, 0.004);
+  cerebrum = smoothUnion(cerebrum, temporal, 0.008);
   if (std::abs(cerebrum) < 0.015) {
     cerebrum += 0.0048 * convolutions(q);
   }
   // The longitudinal fissure, down to the corpus callosum.
-  cerebrum += 0.030 * sheet(q.x(), 0.0030) * smoothStep(1.655, 1.685, q.y());
+  cerebrum += 0.030 * sheet(q.x(), 0.0040) * smoothStep(1.655, 1.685, q.y());
   double cerebellum = ellipsoidField(q, {0.024, 1.628, -0.058}, {0.0330, 0.0215, 0.0270});
   cerebellum += 0.0016 * std::pow(std::cos(pi * (q.y() + 0.25 * q.z()) / 0.0062), 4.0);
   double stem = taperedCapsule(q, {0.0, 1.655, -0.016}, {0.0, 1.627, -0.012}, 0.0160, 0.0165);
   stem = smoothUnion(stem, taperedCapsule(q, {0.0, 1.626, -0.014}, {0.0, 1.599, -0.030}, 0.0125, 0.0080), 0.006);
-  return smoothUnion(smoothUnion(cerebrum, cerebellum, 0.004), stem, 0.006);
+  return smoothUnion(smoothUnion(cerebrum, cerebellum, 0.008), stem, 0.008);
 }
 
 double thyroidShape(const Vec3d& p) {

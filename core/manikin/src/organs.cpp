@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 
 #include "lorica/geometry/closest_point.h"
 #include "lorica/geometry/measures.h"
@@ -202,7 +203,8 @@ class Builder {
     Lattice lattice = Lattice::over(bodyBox(recipe), recipe.cell * frame_.scale());
     fillShape(lattice, recipe);
     const std::vector<double> limits = limitsOn(lattice, recipe);
-    return finish(std::move(lattice), limits, recipe.fillet, recipe.edge, volume, 1);
+    return finish(std::move(lattice), limits, recipe.fillet, recipe.edge, volume, 1,
+                  std::string_view(recipe.name) != "trachea");
   }
 
   /// Eyeballs at their joints, or where they are in the canonical man, as far forward as the lids allow.
@@ -234,26 +236,32 @@ class Builder {
       return field;
     });
     const std::vector<double> limits(lattice.values.size(), -1.0);
-    return finish(std::move(lattice), limits, 0.001, 0.0026, volume, 2);
+    return finish(std::move(lattice), limits, 0.001, 0.0026, volume, 2, false);
   }
 
-  /// Lays the vessels between what is there; later organs keep clear of them.
-  void layVessels(const Body& body) {
-    vessels_ = vesselRoutes(body, frame_);
+  /// Arteries and veins, laid between what is there; later organs keep clear of them.
+  std::pair<TriangleMesh, TriangleMesh> layVessels(const Body& body) {
+    std::vector<Vessel> vessels = vesselRoutes(body, frame_);
     Surroundings around;
     for (const Lattice& solid : placed_) {
       around.solids.push_back(&solid);
     }
     around.bone = [this](const Vec3d& p) { return frame_.scale() * boneShape(frame_.toCanonical(p)); };
     around.skin = &skin_;
-    settle(vessels_, around);
+    settle(vessels, around);
+    VesselSurface arteries = vesselSurface(vessels, true);
+    VesselSurface veins = vesselSurface(vessels, false);
+    untangle(arteries.mesh, threads_);
+    untangle(veins.mesh, threads_);
+    tubes_ = std::move(arteries.tubes);
+    tubes_.insert(tubes_.end(), veins.tubes.begin(), veins.tubes.end());
+    return {std::move(arteries.mesh), std::move(veins.mesh)};
   }
-
-  TriangleMesh vesselMesh(bool arteries) const { return vesselSurface(vessels_, arteries); }
 
  private:
   TriangleMesh finish(Lattice lattice, const std::vector<double>& limits, double filletCanonical, double edge,
-                      double volume, std::size_t pieces) {
+                      double volume, std::size_t pieces, bool smooth) {
+    constexpr double slack = 0.0006;
     const std::vector<double> shape = lattice.values;
     const double fillet = filletCanonical * frame_.scale();
     const auto swell = [&](double by) {
@@ -261,20 +269,32 @@ class Builder {
         lattice.values[i] = smoothIntersection(shape[i] - by, limits[i], fillet);
       }
     };
+    // Rounded edges and no gaps too narrow for the triangles, still clear of the others.
+    const auto swellSmoothly = [&](double by) {
+      swell(by);
+      if (smooth) {
+        blur(lattice);
+        for (std::size_t i = 0; i < shape.size(); ++i) {
+          lattice.values[i] = std::max(lattice.values[i], limits[i] - slack);
+        }
+      }
+    };
     double by = 0.0;
     if (volume > 0.0) {
       by = swellingFor(volume, lattice, swell);
     }
-    swell(by);
+    swellSmoothly(by);
     TriangleMesh mesh = surfaceOf(lattice, pieces);
     for (int i = 0; volume > 0.0 && i < 2; ++i) {
       by += (volume - geometry::signedVolume(mesh)) / geometry::area(mesh);
-      swell(by);
+      swellSmoothly(by);
       mesh = surfaceOf(lattice, pieces);
     }
     mesh = evenTriangles(mesh, lattice, edge * frame_.scale());
+    untangle(mesh, threads_);
     if (volume > 0.0) {
       adjustVolume(mesh, volume);
+      untangle(mesh, threads_);
     }
     placed_.push_back(std::move(lattice));
     return mesh;
@@ -323,10 +343,12 @@ class Builder {
     }
     const bool beside = std::string_view(recipe.name) != "spinal_cord";
     constexpr double boneReach = 0.045;
+    // Long edges cut the corner in the furrow around a thin tube.
+    const double besideVessels = recipe.gap + 0.3 * recipe.edge;
     Lattice vessels = lattice;
     std::fill(vessels.values.begin(), vessels.values.end(), 1.0);
-    for (const Vessel& vessel : vessels_) {
-      stampTube(vessels, vessel.stations, 0.012);
+    for (const std::vector<Station>& tube : tubes_) {
+      stampTube(vessels, tube, 0.012);
     }
     sample(limits, frame_, threads_, [&](const Level& level, const Vec3d& p) {
       double limit = depth_.at(p, 1.0) + recipe.depth;
@@ -340,7 +362,7 @@ class Builder {
       return limit;
     });
     for (std::size_t i = 0; i < limits.values.size(); ++i) {
-      limits.values[i] = std::max(limits.values[i], recipe.gap - vessels.values[i]);
+      limits.values[i] = std::max(limits.values[i], besideVessels - vessels.values[i]);
     }
     return std::move(limits.values);
   }
@@ -383,7 +405,7 @@ class Builder {
   base::Threads threads_;
   Lattice depth_;  ///< signed distance to the skin
   std::deque<Lattice> placed_;
-  std::vector<Vessel> vessels_;
+  std::vector<std::vector<Station>> tubes_;  ///< of the vessels
 };
 
 }  // namespace
@@ -403,9 +425,7 @@ std::vector<Organ> organsOf(const Body& body, const OrganOptions& options, const
     const Recipe& recipe = recipes()[i];
     made[recipe.name] = builder.make(recipe, volumeOf(recipe.name));
     if (std::string_view(recipe.name) == "heart") {
-      builder.layVessels(body);
-      made["arteries"] = builder.vesselMesh(true);
-      made["veins"] = builder.vesselMesh(false);
+      std::tie(made["arteries"], made["veins"]) = builder.layVessels(body);
     }
     progress.report(static_cast<double>(i + 1) / static_cast<double>(recipes().size()));
   }

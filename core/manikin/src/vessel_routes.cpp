@@ -88,12 +88,6 @@ std::size_t nearestStation(const Vessel& vessel, const Vec3d& p) {
   return best;
 }
 
-/// A place where one vessel leaves another, and how far around it walls may meet.
-struct Fork {
-  std::size_t vessel = 0;
-  double reach = 0.0;
-};
-
 class Settler {
  public:
   Settler(std::vector<Vessel>& vessels, const Surroundings& around) : vessels_(vessels), around_(around) {
@@ -146,7 +140,8 @@ class Settler {
       const Station& root = vessels_[*vessels_[v].parent].stations[vessels_[v].leaves];
       const double reach = root.radius + 3.5 * vessels_[v].stations.front().radius + 0.004;
       for (std::size_t n = 0; n < where_.size(); ++n) {
-        if ((place(n) - root.place).norm() < reach) {
+        const bool same = vessels_[where_[n].vessel].artery == vessels_[v].artery;
+        if (same && (place(n) - root.place).norm() < reach) {
           near_[n].push_back(v);
         }
       }

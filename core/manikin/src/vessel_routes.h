@@ -40,7 +40,12 @@ struct Surroundings {
 /// Moves the stations until walls keep their distances, as far as that goes; courses stay smooth.
 void settle(std::vector<Vessel>& vessels, const Surroundings& around);
 
-/// One closed surface for each root among the arteries, or the veins, with their branches.
-geometry::TriangleMesh vesselSurface(const std::vector<Vessel>& vessels, bool arteries);
+struct VesselSurface {
+  geometry::TriangleMesh mesh;              ///< one closed piece for each root, with its branches
+  std::vector<std::vector<Station>> tubes;  ///< the courses as they were swept
+};
+
+/// The walls of all arteries, or of all veins.
+VesselSurface vesselSurface(const std::vector<Vessel>& vessels, bool arteries);
 
 }  // namespace lorica::manikin

@@ -29,6 +29,7 @@ struct Ring {
 
 /// Rings of one vessel; the wall between ring i and i + 1 lacks what its branches took.
 struct Tube {
+  std::optional<Station> mouth;  ///< where it leaves its parent's wall
   std::vector<Ring> rings;
   std::vector<std::vector<bool>> open;  ///< per gap between rings and side
 };
@@ -38,7 +39,7 @@ class Sweeper {
  public:
   explicit Sweeper(const std::vector<Vessel>& vessels) : vessels_(vessels), tubes_(vessels.size()) {}
 
-  geometry::TriangleMesh run(bool arteries) {
+  VesselSurface run(bool arteries) {
     for (std::size_t v = 0; v < vessels_.size(); ++v) {
       if (vessels_[v].artery == arteries) {
         vessels_[v].parent ? growBranch(v) : growRoot(v);
@@ -51,7 +52,8 @@ class Sweeper {
     }
     soften();
     // The corners inside the holes have gone.
-    geometry::TriangleMesh mesh;
+    VesselSurface surface;
+    geometry::TriangleMesh& mesh = surface.mesh;
     constexpr std::uint32_t none = 0xFFFFFFFF;
     std::vector<std::uint32_t> renamed(points_.size(), none);
     for (geometry::Triangle triangle : triangles_) {
@@ -65,7 +67,19 @@ class Sweeper {
       }
       mesh.triangles.push_back(triangle);
     }
-    return mesh;
+    for (const Tube& tube : tubes_) {
+      std::vector<Station> stations;
+      if (tube.mouth) {
+        stations.push_back(*tube.mouth);
+      }
+      for (const Ring& ring : tube.rings) {
+        stations.push_back({ring.centre, ring.radius});
+      }
+      if (!stations.empty()) {
+        surface.tubes.push_back(std::move(stations));
+      }
+    }
+    return surface;
   }
 
  private:
@@ -354,6 +368,11 @@ class Sweeper {
       normal += (points_[edge[k]] - mouth).cross(points_[edge[(k + 1) % edge.size()]] - mouth);
     }
     normal.normalize();
+    double rim = 0.0;
+    for (const std::uint32_t vertex : edge) {
+      rim = std::max(rim, (points_[vertex] - mouth).norm());
+    }
+    tubes_[v].mouth = Station{mouth, std::min(rim, root.radius)};
     // Out of the wall at an angle of 40 degrees at least, far enough for the first ring to clear the wall.
     constexpr double leastRise = 0.64;
     Vec3d out = (target - mouth).normalized();
@@ -412,7 +431,7 @@ class Sweeper {
 
 }  // namespace
 
-geometry::TriangleMesh vesselSurface(const std::vector<Vessel>& vessels, bool arteries) {
+VesselSurface vesselSurface(const std::vector<Vessel>& vessels, bool arteries) {
   return Sweeper(vessels).run(arteries);
 }
 
