@@ -21,9 +21,9 @@ struct BodyShares {
 /// Heights and places at rest, metres. Sideways measures are means of both sides; x counts from the midline.
 struct ArmorLandmarks {
   double stature = 0.0;
-  double midline = 0.0;       ///< x
-  Vec3d notch;                ///< skin at the suprasternal notch
-  Vec3d nape;                 ///< skin over the seventh cervical vertebra
+  double midline = 0.0;  ///< x
+  Vec3d notch;           ///< skin at the suprasternal notch
+  Vec3d nape;            ///< skin over the seventh cervical vertebra
   double neckHalfBreadth = 0.0;
   double chin = 0.0;          ///< lowest y of the head before the neck
   Vec3d shoulder;             ///< glenohumeral joint, left

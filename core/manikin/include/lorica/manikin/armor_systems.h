@@ -21,11 +21,11 @@ struct ArmorPiece {
   armor::Carriage carriage = armor::Carriage::rigid;
   std::optional<human::SkinWeights> weights;  ///< on the body's skeleton, for skinned pieces
   std::string material;
-  double arealDensity = 0.0;   ///< kg/m2
-  double mass = 0.0;           ///< kg: areal density times area
-  double protectedArea = 0.0;  ///< m2: of the middle of a shell, of a plate's outline seen from the front
-  bool protecting = true;      ///< false for fabric, straps and pouches
-  std::string source;          ///< where the numbers come from and how far they are verified
+  double arealDensity = 0.0;  ///< kg/m2
+  double area = 0.0;          ///< m2, covered: of the middle of a shell, of a plate's outline seen from its front
+  double mass = 0.0;          ///< kg: areal density times area
+  bool protecting = true;     ///< false for fabric, straps and pouches
+  std::string source;         ///< where the numbers come from and how far they are verified
 };
 
 struct ArmorSystem {

@@ -1,0 +1,284 @@
+#include "lorica/manikin/armor_systems.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "armor_helmet.h"
+#include "armor_outlines.h"
+#include "armor_panel.h"
+#include "armor_sizes.h"
+#include "fields.h"
+#include "lorica/base/error.h"
+#include "lorica/geometry/measures.h"
+
+namespace lorica::manikin {
+
+namespace {
+
+using geometry::TriangleMesh;
+
+constexpr double kGap = 0.0015;         ///< between two soft layers
+constexpr double kUnderPlate = 0.0015;  ///< between a plate and what is worn under it
+constexpr double kHelmetStandoff = 0.017;
+
+/// A soft piece as others see it that lie over it.
+struct Layer {
+  Outline outline;
+  Outline height;  ///< of its inner face over the cloth
+  double thickness = 0.0;
+};
+
+/// Just over the layers below, where there are any.
+Outline heightOver(std::vector<Layer> below) {
+  return [below = std::move(below)](const Vec3d& p) {
+    double height = 0.0;
+    for (const Layer& layer : below) {
+      const double there = smoothStep(-0.028, -0.004, layer.outline(p));
+      if (there > 0.0) {
+        height = std::max(height, there * (layer.height(p) + layer.thickness + kGap));
+      }
+    }
+    return height;
+  };
+}
+
+Layer layerOver(Outline outline, std::vector<Layer> below, double thickness) {
+  return {std::move(outline), heightOver(std::move(below)), thickness};
+}
+
+/// Everything the systems are made from.
+class Armorer {
+ public:
+  Armorer(const Body& body, base::Threads threads)
+      : body_(body),
+        threads_(threads),
+        shares_(bodyShares(body)),
+        marks_(armorLandmarks(body, shares_)),
+        skin_(body.skin),
+        cloth_(drapedCloth(body, shares_, marks_, skin_, {}, threads)),
+        outlines_(marks_),
+        plate_(plateFor(body.person, marks_)),
+        sidePlate_(sidePlateBeside(plate_)),
+        plateTop_(marks_.notch.y() - armor::PlatePlacement{}.belowNotch) {}
+
+  ArmorSystem fullTorso() const;
+  ArmorSystem plateCarrier() const;
+  ArmorSystem helmet() const;
+
+ private:
+  ArmorPiece soft(const std::string& name, const Layer& layer, const SheetSpec& sheet, bool protecting) const;
+  TriangleMesh wornUnder(const std::vector<ArmorPiece>& pieces) const;
+  armor::PlacedPlate placed(const TriangleMesh& under, armor::PlateSide side) const;
+  void addPlates(ArmorSystem& system, const std::vector<armor::PlateSide>& sides) const;
+  void addBags(ArmorSystem& system, const SheetSpec& fabric) const;
+
+  const Body& body_;
+  base::Threads threads_;
+  BodyShares shares_;
+  ArmorLandmarks marks_;
+  geometry::ClosestPointTree skin_;
+  Cloth cloth_;
+  Outlines outlines_;
+  armor::PlateSpec plate_;
+  armor::PlateSpec sidePlate_;
+  double plateTop_;
+};
+
+ArmorPiece Armorer::soft(const std::string& name, const Layer& layer, const SheetSpec& sheet, bool protecting) const {
+  Panel panel = cutPanel(cloth_, {layer.outline, layer.height, layer.thickness}, body_, skin_, threads_);
+  ArmorPiece piece;
+  piece.name = name;
+  piece.mesh = std::move(panel.mesh);
+  piece.carriage = armor::Carriage::skinned;
+  piece.weights = std::move(panel.weights);
+  piece.material = sheet.material;
+  piece.arealDensity = sheet.arealDensity;
+  piece.area = panel.middleArea;
+  piece.mass = piece.arealDensity * piece.area;
+  piece.protecting = protecting;
+  piece.source = sheet.source + "; cut to the body (assumed)";
+  return piece;
+}
+
+TriangleMesh Armorer::wornUnder(const std::vector<ArmorPiece>& pieces) const {
+  TriangleMesh under = withoutArms(body_.skin, shares_);
+  for (const ArmorPiece& piece : pieces) {
+    if (piece.carriage == armor::Carriage::skinned) {
+      geometry::append(under, piece.mesh);
+    }
+  }
+  return under;
+}
+
+armor::PlacedPlate Armorer::placed(const TriangleMesh& under, armor::PlateSide side) const {
+  armor::PlatePlacement placement;
+  placement.clearance = kUnderPlate;
+  const bool beside = side == armor::PlateSide::left || side == armor::PlateSide::right;
+  placement.top = beside ? marks_.armpit - 0.065 : plateTop_;
+  return armor::placePlate(under, &body_.skeleton, side, beside ? sidePlate_ : plate_, placement);
+}
+
+void Armorer::addPlates(ArmorSystem& system, const std::vector<armor::PlateSide>& sides) const {
+  const TriangleMesh under = wornUnder(system.pieces);
+  for (const armor::PlateSide side : sides) {
+    const bool beside = side == armor::PlateSide::left || side == armor::PlateSide::right;
+    const armor::PlateSpec& spec = beside ? sidePlate_ : plate_;
+    ArmorPiece piece;
+    switch (side) {
+      case armor::PlateSide::front:
+        piece.name = "plate_front";
+        break;
+      case armor::PlateSide::back:
+        piece.name = "plate_back";
+        break;
+      case armor::PlateSide::left:
+        piece.name = "side_plate_left";
+        break;
+      case armor::PlateSide::right:
+        piece.name = "side_plate_right";
+        break;
+    }
+    piece.mesh = placed(under, side).mesh;
+    piece.material = "ceramic plate on a fibre backing";
+    piece.area = armor::frontalArea(spec);
+    piece.arealDensity = spec.mass / piece.area;
+    piece.mass = spec.mass;
+    piece.source = spec.source + "; areal density: mass over area";
+    system.pieces.push_back(std::move(piece));
+  }
+}
+
+ArmorSystem Armorer::fullTorso() const {
+  const SheetSpec sheet = softArmor();
+  const double t = sheet.thickness;
+  const Layer front = layerOver(outlines_.vestFront(), {}, t);
+  const Layer back = layerOver(outlines_.vestBack(), {front}, t);
+  ArmorSystem system{"full_torso", {}};
+  system.pieces.push_back(soft("vest_front", front, sheet, true));
+  system.pieces.push_back(soft("vest_back", back, sheet, true));
+  system.pieces.push_back(soft("side_left", layerOver(outlines_.side(1.0), {front, back}, t), sheet, true));
+  system.pieces.push_back(soft("side_right", layerOver(outlines_.side(-1.0), {front, back}, t), sheet, true));
+  system.pieces.push_back(soft("collar", layerOver(outlines_.collar(), {front, back}, t), sheet, true));
+  system.pieces.push_back(soft("shoulder_left", layerOver(outlines_.shoulder(1.0), {front, back}, t), sheet, true));
+  system.pieces.push_back(soft("shoulder_right", layerOver(outlines_.shoulder(-1.0), {front, back}, t), sheet, true));
+  system.pieces.push_back(soft("groin", layerOver(outlines_.groin(), {front}, t), sheet, true));
+  addPlates(system, {armor::PlateSide::front, armor::PlateSide::back, armor::PlateSide::left, armor::PlateSide::right});
+  return system;
+}
+
+void Armorer::addBags(ArmorSystem& system, const SheetSpec& fabric) const {
+  const auto add = [&](std::string name, const TriangleMesh& inPlateFrame, const TriangleMesh& placedPlate) {
+    // The plate's own frame from three of its corners: the same vertices before and after it was placed.
+    const TriangleMesh own = armor::plate(plate_);
+    const auto frame = [](const TriangleMesh& mesh) {
+      const std::size_t last = mesh.positions.size() / 2 - 1;
+      const Vec3d a = mesh.positions[0].cast<double>();
+      const Vec3d x = (mesh.positions[last].cast<double>() - a).normalized();
+      const Vec3d b = mesh.positions[last / 2].cast<double>() - a;
+      geometry::Affine3d at = geometry::Affine3d::Identity();
+      at.linear().col(0) = x;
+      at.linear().col(2) = x.cross(b).normalized();
+      at.linear().col(1) = at.linear().col(2).cross(x);
+      at.translation() = a;
+      return at;
+    };
+    const geometry::Affine3d place = frame(placedPlate) * frame(own).inverse();
+    ArmorPiece piece;
+    piece.name = std::move(name);
+    piece.mesh = inPlateFrame;
+    for (geometry::Vec3f& position : piece.mesh.positions) {
+      position = (place * position.cast<double>()).cast<float>();
+    }
+    piece.material = fabric.material;
+    piece.arealDensity = fabric.arealDensity;
+    piece.protecting = false;
+    return piece;
+  };
+  const auto plateOf = [&](const char* name) {
+    const auto found = std::find_if(system.pieces.begin(), system.pieces.end(),
+                                    [&](const ArmorPiece& piece) { return piece.name == name; });
+    return found->mesh;
+  };
+  const TriangleMesh front = plateOf("plate_front");
+  const TriangleMesh back = plateOf("plate_back");
+  constexpr double gap = 0.002;
+  for (const auto& [name, mesh] : {std::pair("bag_front", &front), std::pair("bag_back", &back)}) {
+    ArmorPiece bag = add(name, armor::plateCover(plate_, gap, fabric.thickness), *mesh);
+    bag.area = 0.5 * geometry::area(bag.mesh);
+    bag.mass = bag.arealDensity * bag.area;
+    bag.source = fabric.source;
+    system.pieces.push_back(std::move(bag));
+  }
+  // Three pouches side by side for rifle magazines.
+  constexpr double width = 0.070;
+  constexpr double height = 0.125;
+  constexpr double depth = 0.030;
+  const double face = gap + fabric.thickness + 0.001;
+  for (int k = 0; k < 3; ++k) {
+    const double middle = (k - 1) * (width + 0.006);
+    ArmorPiece pouch = add(
+        fmt::format("pouch_{}", k + 1),
+        armor::boxOnPlate(plate_, middle - 0.5 * width, middle + 0.5 * width, 0.02, 0.02 + height, face, face + depth),
+        front);
+    pouch.area = geometry::area(pouch.mesh);
+    pouch.mass = pouch.arealDensity * pouch.area;
+    pouch.material = "nylon, empty pouch";
+    pouch.source = fabric.source + "; pouch of 70 x 125 x 30 mm (assumed); area: all its faces";
+    system.pieces.push_back(std::move(pouch));
+  }
+}
+
+ArmorSystem Armorer::plateCarrier() const {
+  const SheetSpec fabric = carrierFabric();
+  const double t = fabric.thickness;
+  const Layer front = layerOver(outlines_.carrierFront(plate_, plateTop_), {}, t);
+  const Layer back = layerOver(outlines_.carrierBack(plate_, plateTop_), {front}, t);
+  ArmorSystem system{"plate_carrier", {}};
+  system.pieces.push_back(soft("carrier_front", front, fabric, false));
+  system.pieces.push_back(soft("carrier_back", back, fabric, false));
+  for (const double sign : {1.0, -1.0}) {
+    system.pieces.push_back(soft(sign > 0.0 ? "cummerbund_left" : "cummerbund_right",
+                                 layerOver(outlines_.cummerbund(sign, plate_, plateTop_), {front, back}, t), fabric,
+                                 false));
+  }
+  addPlates(system, {armor::PlateSide::front, armor::PlateSide::back});
+  addBags(system, fabric);
+  return system;
+}
+
+ArmorSystem Armorer::helmet() const {
+  const HelmetSpec spec = helmetFor(headCircumference(body_, shares_));
+  Helmet shell = helmetOn(body_, shares_, kHelmetStandoff, spec.thickness, threads_);
+  ArmorPiece piece;
+  piece.name = "helmet";
+  piece.mesh = std::move(shell.mesh);
+  piece.material = spec.material;
+  piece.area = shell.middleArea;
+  piece.mass = spec.mass;
+  piece.arealDensity = piece.mass / piece.area;
+  piece.source = spec.source;
+  return {"helmet", {std::move(piece)}};
+}
+
+ArmorSystem joined(std::string name, const ArmorSystem& first, const ArmorSystem& second) {
+  ArmorSystem system{std::move(name), first.pieces};
+  system.pieces.insert(system.pieces.end(), second.pieces.begin(), second.pieces.end());
+  return system;
+}
+
+}  // namespace
+
+std::vector<ArmorSystem> armorOf(const Body& body, base::Threads threads) {
+  LORICA_CHECK(body.weights.vertices() == body.skin.positions.size(), "weights for every vertex of the skin");
+  const Armorer armorer(body, threads);
+  std::vector<ArmorSystem> systems;
+  systems.push_back(armorer.fullTorso());
+  systems.push_back(armorer.plateCarrier());
+  systems.push_back(armorer.helmet());
+  systems.push_back(joined("full_torso_helmet", systems[0], systems[2]));
+  systems.push_back(joined("plate_carrier_helmet", systems[1], systems[2]));
+  return systems;
+}
+
+}  // namespace lorica::manikin
