@@ -276,7 +276,7 @@ geometry::Mat3d turnToFront(PlateSide side) {
 PlacedPlate placePlate(const geometry::TriangleMesh& skin, const human::Skeleton* skeleton, PlateSide side,
                        const PlateSpec& spec, const PlatePlacement& placement) {
   LORICA_CHECK(!skin.triangles.empty(), "a plate needs a skin to lie on");
-  PlacedPlate placed{plate(spec), {}};
+  PlacedPlate placed{plate(spec), {}, {}};
   const geometry::Box3d box = geometry::bounds(skin.positions);
   judgeStance(box, placed.issues);
   const Stance stance{box.min().y(), box.sizes().y(), box.center().x()};
@@ -303,6 +303,7 @@ PlacedPlate placePlate(const geometry::TriangleMesh& skin, const human::Skeleton
     best.pitch = geometry::Quatd::Identity();
     best.shift = {middle, top - 0.5 * spec.height, foremost + placement.clearance + 0.5 * spec.width};
   }
+  placed.place = {geometry::Quatd(turn.transpose()) * best.pitch, turn.transpose() * best.shift};
   for (geometry::Vec3f& position : placed.mesh.positions) {
     position = (turn.transpose() * (best.pitch * position.cast<double>() + best.shift)).cast<float>();
   }

@@ -168,7 +168,7 @@ TriangleMesh plateCover(const PlateSpec& spec, double gap, double thickness) {
   const auto ring = static_cast<std::uint32_t>(rim.size());
   TriangleMesh mesh;
   for (const double margin : {gap + thickness, gap}) {
-    const auto place = [&](std::uint32_t vertex, double off) {
+    const auto place = [&](std::uint32_t vertex, double off) -> geometry::Vec3f {
       const double height = -margin + heights[vertex / columns] / spec.height * (spec.height + 2.0 * margin);
       const double across = 2.0 * (vertex % columns) / (columns - 1) - 1.0;
       return pointOverFace(spec, across * halfArcAt(spec, height, margin), height, off).cast<float>();
@@ -217,7 +217,7 @@ TriangleMesh boxOnPlate(const PlateSpec& spec, double left, double right, double
   const auto layers = static_cast<std::uint32_t>(steps(top - bottom) + 1);
   const std::vector<std::uint32_t> rim = rimOf(rows, columns);
   TriangleMesh mesh;
-  const auto place = [&](std::uint32_t vertex, double off) {
+  const auto place = [&](std::uint32_t vertex, double off) -> geometry::Vec3f {
     return pointOverFace(spec, left + (right - left) * (vertex % columns) / (columns - 1),
                          low + (high - low) * (vertex / columns) / (rows - 1), off)
         .cast<float>();

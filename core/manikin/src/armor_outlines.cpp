@@ -36,6 +36,7 @@ constexpr double kCollarGap = 0.022;  ///< from the neck to a vest's neck line
 constexpr double kSideHalf = 0.055;   ///< half a side panel's depth
 constexpr double kSeam = 0.025;       ///< how far front and back reach beyond what meets them
 constexpr double kSideBelowArmpit = 0.045;
+constexpr double kSideBelowHem = 0.025;  ///< the side panels reach down to the iliac crest
 
 }  // namespace
 
@@ -52,7 +53,8 @@ double Outlines::shoulderShare(double y) const {
 
 double Outlines::outsideNeck(const Vec3d& p) const {
   const Vec3d d = p - neckBase_;
-  return outsideEllipse(d.x(), d.dot(neckForward_), 1.25 * marks_.neckHalfBreadth, neckDepth_);
+  const double around = outsideEllipse(d.x(), d.dot(neckForward_), 1.25 * marks_.neckHalfBreadth, neckDepth_);
+  return either(around, -d.dot(neckUp_), 0.02);  // chest and back run down beside the neck's axis
 }
 
 double Outlines::aboveNeckBase(const Vec3d& p) const {
@@ -60,7 +62,7 @@ double Outlines::aboveNeckBase(const Vec3d& p) const {
 }
 
 double Outlines::outsideArmhole(const Vec3d& q) const {
-  const double inner = 0.78 * marks_.shoulder.x();
+  const double inner = 0.82 * marks_.shoulder.x();
   const double centreX = marks_.shoulder.x() + 0.03;
   const double bottom = marks_.armpit - 0.03;
   const double centreY = 0.5 * (bottom + marks_.shoulderTop);
@@ -96,7 +98,7 @@ Outline Outlines::side(double sign) const {
     }
     const double across = kSideHalf - std::abs(beforeCoronal(q));
     const double top = marks_.armpit - kSideBelowArmpit - q.y();
-    return both(across, both(top, q.y() - marks_.hem));
+    return both(across, both(top, q.y() - marks_.hem + kSideBelowHem));
   };
 }
 
@@ -137,7 +139,7 @@ Outline Outlines::groin() const {
     const double top = marks_.hem + 0.02;
     const double bottom = marks_.crotch + 0.012;
     const double share = std::clamp((q.y() - bottom) / (top - bottom), 0.0, 1.0);
-    const double half = marks_.shoulder.x() * (0.32 + 0.30 * smoothStep(0.0, 1.0, share));
+    const double half = marks_.shoulder.x() * (0.36 + 0.34 * smoothStep(0.0, 1.0, share));
     const double front = q.z() - marks_.hemMiddle - 0.02;
     return both(both(half - q.x(), front), both(top - q.y(), q.y() - bottom));
   };

@@ -70,8 +70,11 @@ class Armorer {
   ArmorPiece soft(const std::string& name, const Layer& layer, const SheetSpec& sheet, bool protecting) const;
   TriangleMesh wornUnder(const std::vector<ArmorPiece>& pieces) const;
   armor::PlacedPlate placed(const TriangleMesh& under, armor::PlateSide side) const;
-  void addPlates(ArmorSystem& system, const std::vector<armor::PlateSide>& sides) const;
-  void addBags(ArmorSystem& system, const SheetSpec& fabric) const;
+  /// Returns where the plates lie, in the order of `sides`.
+  std::vector<geometry::RigidTransform> addPlates(ArmorSystem& system,
+                                                  const std::vector<armor::PlateSide>& sides) const;
+  void addBags(ArmorSystem& system, const SheetSpec& fabric, const geometry::RigidTransform& front,
+               const geometry::RigidTransform& back) const;
 
   const Body& body_;
   base::Threads threads_;
@@ -119,7 +122,9 @@ armor::PlacedPlate Armorer::placed(const TriangleMesh& under, armor::PlateSide s
   return armor::placePlate(under, &body_.skeleton, side, beside ? sidePlate_ : plate_, placement);
 }
 
-void Armorer::addPlates(ArmorSystem& system, const std::vector<armor::PlateSide>& sides) const {
+std::vector<geometry::RigidTransform> Armorer::addPlates(ArmorSystem& system,
+                                                         const std::vector<armor::PlateSide>& sides) const {
+  std::vector<geometry::RigidTransform> places;
   const TriangleMesh under = wornUnder(system.pieces);
   for (const armor::PlateSide side : sides) {
     const bool beside = side == armor::PlateSide::left || side == armor::PlateSide::right;
@@ -139,7 +144,9 @@ void Armorer::addPlates(ArmorSystem& system, const std::vector<armor::PlateSide>
         piece.name = "side_plate_right";
         break;
     }
-    piece.mesh = placed(under, side).mesh;
+    armor::PlacedPlate plate = placed(under, side);
+    piece.mesh = std::move(plate.mesh);
+    places.push_back(plate.place);
     piece.material = "ceramic plate on a fibre backing";
     piece.area = armor::frontalArea(spec);
     piece.arealDensity = spec.mass / piece.area;
@@ -147,6 +154,7 @@ void Armorer::addPlates(ArmorSystem& system, const std::vector<armor::PlateSide>
     piece.source = spec.source + "; areal density: mass over area";
     system.pieces.push_back(std::move(piece));
   }
+  return places;
 }
 
 ArmorSystem Armorer::fullTorso() const {
@@ -167,44 +175,20 @@ ArmorSystem Armorer::fullTorso() const {
   return system;
 }
 
-void Armorer::addBags(ArmorSystem& system, const SheetSpec& fabric) const {
-  const auto add = [&](std::string name, const TriangleMesh& inPlateFrame, const TriangleMesh& placedPlate) {
-    // The plate's own frame from three of its corners: the same vertices before and after it was placed.
-    const TriangleMesh own = armor::plate(plate_);
-    const auto frame = [](const TriangleMesh& mesh) {
-      const std::size_t last = mesh.positions.size() / 2 - 1;
-      const Vec3d a = mesh.positions[0].cast<double>();
-      const Vec3d x = (mesh.positions[last].cast<double>() - a).normalized();
-      const Vec3d b = mesh.positions[last / 2].cast<double>() - a;
-      geometry::Affine3d at = geometry::Affine3d::Identity();
-      at.linear().col(0) = x;
-      at.linear().col(2) = x.cross(b).normalized();
-      at.linear().col(1) = at.linear().col(2).cross(x);
-      at.translation() = a;
-      return at;
-    };
-    const geometry::Affine3d place = frame(placedPlate) * frame(own).inverse();
+void Armorer::addBags(ArmorSystem& system, const SheetSpec& fabric, const geometry::RigidTransform& front,
+                      const geometry::RigidTransform& back) const {
+  const auto add = [&](std::string name, const TriangleMesh& inPlateFrame, const geometry::RigidTransform& place) {
     ArmorPiece piece;
     piece.name = std::move(name);
-    piece.mesh = inPlateFrame;
-    for (geometry::Vec3f& position : piece.mesh.positions) {
-      position = (place * position.cast<double>()).cast<float>();
-    }
+    piece.mesh = {geometry::transformed(inPlateFrame.positions, place), inPlateFrame.triangles};
     piece.material = fabric.material;
     piece.arealDensity = fabric.arealDensity;
     piece.protecting = false;
     return piece;
   };
-  const auto plateOf = [&](const char* name) {
-    const auto found = std::find_if(system.pieces.begin(), system.pieces.end(),
-                                    [&](const ArmorPiece& piece) { return piece.name == name; });
-    return found->mesh;
-  };
-  const TriangleMesh front = plateOf("plate_front");
-  const TriangleMesh back = plateOf("plate_back");
   constexpr double gap = 0.002;
-  for (const auto& [name, mesh] : {std::pair("bag_front", &front), std::pair("bag_back", &back)}) {
-    ArmorPiece bag = add(name, armor::plateCover(plate_, gap, fabric.thickness), *mesh);
+  for (const auto& [name, place] : {std::pair("bag_front", front), std::pair("bag_back", back)}) {
+    ArmorPiece bag = add(name, armor::plateCover(plate_, gap, fabric.thickness), place);
     bag.area = 0.5 * geometry::area(bag.mesh);
     bag.mass = bag.arealDensity * bag.area;
     bag.source = fabric.source;
@@ -242,8 +226,8 @@ ArmorSystem Armorer::plateCarrier() const {
                                  layerOver(outlines_.cummerbund(sign, plate_, plateTop_), {front, back}, t), fabric,
                                  false));
   }
-  addPlates(system, {armor::PlateSide::front, armor::PlateSide::back});
-  addBags(system, fabric);
+  const auto places = addPlates(system, {armor::PlateSide::front, armor::PlateSide::back});
+  addBags(system, fabric, places[0], places[1]);
   return system;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lorica/base/issue.h"
+#include "lorica/geometry/transform.h"
 #include "lorica/geometry/triangle_mesh.h"
 #include "lorica/human/skeleton.h"
 
@@ -54,8 +55,9 @@ enum class PlateSide {
 };
 
 struct PlacedPlate {
-  geometry::TriangleMesh mesh;  ///< in the body's frame
-  base::Issues issues;          ///< guessed landmarks (notes), bodies the rules do not fit (warnings)
+  geometry::TriangleMesh mesh;     ///< in the body's frame
+  geometry::RigidTransform place;  ///< from the plate's frame to the body's
+  base::Issues issues;             ///< guessed landmarks (notes), bodies the rules do not fit (warnings)
 };
 
 struct PlatePlacement {
