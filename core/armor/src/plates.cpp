@@ -177,7 +177,7 @@ TriangleMesh plateCover(const PlateSpec& spec, double gap, double thickness) {
       mesh.positions.emplace_back(place(v, margin));
     }
     for (const std::uint32_t v : rim) {
-      mesh.positions.emplace_back(place(v, -0.5 * spec.thickness));
+      mesh.positions.emplace_back(place(v, -0.9 * spec.thickness));
     }
   }
   const std::uint32_t inner = grid + ring;

@@ -224,22 +224,20 @@ std::vector<std::vector<double>> smoothWeights(const Patch& patch, const Body& b
       }
     }
   });
-  for (int round = 0; round < 3; ++round) {
-    std::vector<std::vector<double>> next = weights;
-    base::parallelFor(weights.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v) {
-        for (std::size_t j = 0; j < joints; ++j) {
-          double mean = 0.0;
-          for (const std::uint32_t n : neighbors[v]) {
-            mean += weights[n][j];
-          }
-          next[v][j] = 0.5 * (weights[v][j] + mean / static_cast<double>(neighbors[v].size()));
+  // Once: where the cloth bridges a hollow its nearest skin changes at once; more would make it lag behind the skin.
+  std::vector<std::vector<double>> smooth = weights;
+  base::parallelFor(weights.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      for (std::size_t j = 0; j < joints; ++j) {
+        double mean = 0.0;
+        for (const std::uint32_t n : neighbors[v]) {
+          mean += weights[n][j];
         }
+        smooth[v][j] = 0.5 * (weights[v][j] + mean / static_cast<double>(neighbors[v].size()));
       }
-    });
-    weights = std::move(next);
-  }
-  return weights;
+    }
+  });
+  return smooth;
 }
 
 human::SkinWeights packed(const std::vector<std::vector<double>>& weights) {

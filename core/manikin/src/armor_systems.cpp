@@ -19,6 +19,7 @@ namespace {
 using geometry::TriangleMesh;
 
 constexpr double kGap = 0.0015;         ///< between two soft layers
+constexpr double kLoose = 0.002;        ///< of pieces over the creases of hip and shoulder
 constexpr double kUnderPlate = 0.0015;  ///< between a plate and what is worn under it
 constexpr double kHelmetStandoff = 0.017;
 
@@ -29,10 +30,10 @@ struct Layer {
   double thickness = 0.0;
 };
 
-/// Just over the layers below, where there are any.
-Outline heightOver(std::vector<Layer> below) {
-  return [below = std::move(below)](const Vec3d& p) {
-    double height = 0.0;
+/// `loose` over the cloth, and just over the layers below, where there are any.
+Outline heightOver(std::vector<Layer> below, double loose) {
+  return [below = std::move(below), loose](const Vec3d& p) {
+    double height = loose;
     for (const Layer& layer : below) {
       const double there = smoothStep(-0.028, -0.004, layer.outline(p));
       if (there > 0.0) {
@@ -43,8 +44,8 @@ Outline heightOver(std::vector<Layer> below) {
   };
 }
 
-Layer layerOver(Outline outline, std::vector<Layer> below, double thickness) {
-  return {std::move(outline), heightOver(std::move(below)), thickness};
+Layer layerOver(Outline outline, std::vector<Layer> below, double thickness, double loose = 0.0) {
+  return {std::move(outline), heightOver(std::move(below), loose), thickness};
 }
 
 /// Everything the systems are made from.
@@ -168,9 +169,11 @@ ArmorSystem Armorer::fullTorso() const {
   system.pieces.push_back(soft("side_left", layerOver(outlines_.side(1.0), {front, back}, t), sheet, true));
   system.pieces.push_back(soft("side_right", layerOver(outlines_.side(-1.0), {front, back}, t), sheet, true));
   system.pieces.push_back(soft("collar", layerOver(outlines_.collar(), {front, back}, t), sheet, true));
-  system.pieces.push_back(soft("shoulder_left", layerOver(outlines_.shoulder(1.0), {front, back}, t), sheet, true));
-  system.pieces.push_back(soft("shoulder_right", layerOver(outlines_.shoulder(-1.0), {front, back}, t), sheet, true));
-  system.pieces.push_back(soft("groin", layerOver(outlines_.groin(), {front}, t), sheet, true));
+  system.pieces.push_back(
+      soft("shoulder_left", layerOver(outlines_.shoulder(1.0), {front, back}, t, kLoose), sheet, true));
+  system.pieces.push_back(
+      soft("shoulder_right", layerOver(outlines_.shoulder(-1.0), {front, back}, t, kLoose), sheet, true));
+  system.pieces.push_back(soft("groin", layerOver(outlines_.groin(), {front}, t, kLoose), sheet, true));
   addPlates(system, {armor::PlateSide::front, armor::PlateSide::back, armor::PlateSide::left, armor::PlateSide::right});
   return system;
 }

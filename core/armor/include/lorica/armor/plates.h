@@ -36,7 +36,7 @@ double frontalArea(const PlateSpec& spec);
 /// \pre the lengths are positive, 2 * thickness < curvatureRadius and width < curvatureRadius
 geometry::TriangleMesh plate(const PlateSpec& spec);
 
-/// A cover over a plate's front face and the outer half of its edges, open behind, as a plate's bag shows it: a closed
+/// A cover over a plate's front face and edges, open behind, as a plate's bag shows it: a closed
 /// outward shell in the plate's frame, `gap` metres off the plate and `thickness` metres thick.
 /// \pre as plate(), and gap and thickness are positive
 geometry::TriangleMesh plateCover(const PlateSpec& spec, double gap, double thickness);
