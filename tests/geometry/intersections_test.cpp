@@ -164,6 +164,20 @@ RC_GTEST_PROP(Intersections, AreThoseThatEveryPairTriedGives, ()) {
   RC_ASSERT(intersections(a, b, {1}) == intersections(a, b, {3}));
 }
 
+TEST(Intersections, OfLargeMeshesAreTheSameWithAnyNumberOfThreads) {
+  const TriangleMesh a = ellipsoid(Vec3d::Zero(), {0.3, 0.9, 0.2}, 5);
+  const TriangleMesh b = ellipsoid({0.001, 0.002, 0.0}, {0.3, 0.9, 0.2}, 5);
+  TriangleMesh both = a;
+  append(both, b);
+  const Pairs pairs = intersections(a, b, {1});
+  EXPECT_GT(pairs.size(), 1000U);
+  EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
+  for (const int threads : {2, 3, 7}) {
+    EXPECT_EQ(intersections(a, b, {threads}), pairs);
+    EXPECT_EQ(selfIntersections(both, {threads}).size(), pairs.size());
+  }
+}
+
 RC_GTEST_PROP(SelfIntersections, OfTwoSolidsInOneMeshAreThoseBetweenThem, ()) {
   const TriangleMesh a = test::moved(test::drawnSolid(Vec3d::Zero(), 0.1, 1.0), test::drawnMotion(0.5));
   const TriangleMesh b = test::drawnSolid(Vec3d::Zero(), 0.1, 1.0);

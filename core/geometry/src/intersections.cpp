@@ -201,14 +201,16 @@ bool meetWithin(const TriangleMesh& mesh, std::uint32_t first, std::uint32_t sec
 /// Runs `find(triangle, pairs)` for every triangle and joins what it appends, in the order of the triangles.
 template <class Find>
 std::vector<TrianglePair> gathered(std::size_t triangles, base::Threads threads, const Find& find) {
-  constexpr std::size_t grain = 512;
-  std::vector<std::vector<TrianglePair>> blocks((triangles + grain - 1) / grain);
-  base::parallelFor(triangles, grain, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<TrianglePair>& pairs = blocks[begin / grain];
-    for (std::size_t t = begin; t < end; ++t) {
-      const std::size_t before = pairs.size();
-      find(static_cast<std::uint32_t>(t), pairs);
-      std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end());
+  constexpr std::size_t blockSize = 256;
+  std::vector<std::vector<TrianglePair>> blocks((triangles + blockSize - 1) / blockSize);
+  base::parallelFor(blocks.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      std::vector<TrianglePair>& pairs = blocks[b];
+      for (std::size_t t = b * blockSize; t < std::min((b + 1) * blockSize, triangles); ++t) {
+        const std::size_t before = pairs.size();
+        find(static_cast<std::uint32_t>(t), pairs);
+        std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end());
+      }
     }
   });
   std::vector<TrianglePair> all;
