@@ -124,7 +124,8 @@ Cloth drapedCloth(const Body& body, const BodyShares& shares, const ArmorLandmar
   TriangleMesh mesh = evenSkin(body, marks, skin, options.edge, threads);
   const auto neighbors = vertexNeighbors(mesh);
   const std::size_t count = mesh.positions.size();
-  std::vector<char> usable(count, 0);
+  std::vector<char> onTrunk(count, 0);
+  std::vector<char> onShoulders(count, 0);
   std::vector<char> moves(count, 0);
   std::vector<Vec3d> points(count);
   std::vector<Plane> below(count);
@@ -133,7 +134,9 @@ Cloth drapedCloth(const Body& body, const BodyShares& shares, const ArmorLandmar
     for (std::size_t v = begin; v < end; ++v) {
       const Vec3d p = mesh.positions[v].cast<double>();
       const ClosestPoint place = *skin.closest(p);
-      usable[v] = distanceFromWearer(p, marks) <= 0.0 && shareAt(shares.head, body, place) < 0.5 ? 1 : 0;
+      const bool fine = distanceFromWearer(p, marks) <= 0.0 && shareAt(shares.head, body, place) < 0.5;
+      onShoulders[v] = fine ? 1 : 0;
+      onTrunk[v] = fine && shareAt(shares.arms, body, place) < 0.5 ? 1 : 0;
       moves[v] = distanceFromWearer(p, marks) < 0.03 ? 1 : 0;
       points[v] = p + options.clearance * place.pseudoNormal.normalized();
       look(v);
@@ -161,7 +164,7 @@ Cloth drapedCloth(const Body& body, const BodyShares& shares, const ArmorLandmar
   }
   std::vector<Vec3d> normals = smoothNormals(mesh, neighbors, threads);
   ClosestPointTree tree(mesh);
-  return {std::move(mesh), std::move(normals), neighbors, std::move(tree), std::move(usable)};
+  return {std::move(mesh), std::move(normals), neighbors, std::move(tree), std::move(onTrunk), std::move(onShoulders)};
 }
 
 }  // namespace lorica::manikin

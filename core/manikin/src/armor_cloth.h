@@ -18,7 +18,8 @@ struct Cloth {
   std::vector<Vec3d> normals;                         ///< unit, smooth
   std::vector<std::vector<std::uint32_t>> neighbors;  ///< of each vertex, rising
   geometry::ClosestPointTree tree;                    ///< of `mesh`
-  std::vector<char> usable;                           ///< per vertex: not the head, not below elbow or thigh
+  std::vector<char> trunk;                            ///< per vertex: fine, and not of head or arms
+  std::vector<char> shoulders;                        ///< per vertex: fine, and not of the head
 };
 
 struct ClothOptions {

@@ -68,7 +68,8 @@ double Outlines::outsideArmhole(const Vec3d& q) const {
   const double centreY = 0.5 * (bottom + marks_.shoulderTop);
   const double y = q.y() - centreY;
   // Above its middle the armhole runs nearly straight up to the shoulder.
-  return outsideEllipse(q.x() - centreX, y, centreX - inner, y < 0.0 ? centreY - bottom : 0.25);
+  // All that lies further out is arm.
+  return outsideEllipse(std::min(q.x() - centreX, 0.0), y, centreX - inner, y < 0.0 ? centreY - bottom : 0.25);
 }
 
 Outline Outlines::vestFront() const {

@@ -45,16 +45,16 @@ double crossingShare(const std::function<double(const Vec3d&)>& inside, const Ve
 }
 
 /// Moves the vertices next to the outline onto it, so that it runs along edges; returns the values there.
-std::vector<double> snapToOutline(std::vector<Vec3d>& points, const Cloth& cloth,
+std::vector<double> snapToOutline(std::vector<Vec3d>& points, const Cloth& cloth, const std::vector<char>& usable,
                                   const std::function<double(const Vec3d&)>& inside) {
   std::vector<double> value(points.size(), -1.0);
   for (std::size_t v = 0; v < points.size(); ++v) {
-    value[v] = cloth.usable[v] != 0 ? inside(points[v]) : -1.0;
+    value[v] = usable[v] != 0 ? inside(points[v]) : -1.0;
   }
   std::vector<Snap> snap(points.size());
   for (std::uint32_t v = 0; v < points.size(); ++v) {
     for (const std::uint32_t n : cloth.neighbors[v]) {
-      if (n < v || (value[v] > 0.0) == (value[n] > 0.0)) {
+      if (n < v || usable[v] == 0 || usable[n] == 0 || (value[v] > 0.0) == (value[n] > 0.0)) {
         continue;
       }
       const double t = crossingShare(inside, points[v], points[n], value[v], value[n]);
@@ -295,7 +295,8 @@ Panel cutPanel(const Cloth& cloth, const PanelCut& cut, const Body& body, const 
   for (const geometry::Vec3f& position : cloth.mesh.positions) {
     points.emplace_back(position.cast<double>());
   }
-  const std::vector<double> value = snapToOutline(points, cloth, cut.inside);
+  const std::vector<double> value =
+      snapToOutline(points, cloth, cut.onArms ? cloth.shoulders : cloth.trunk, cut.inside);
   Patch patch = extract(points, value, cloth, cut.inside);
   even(patch, cloth, cut.inside, threads);
   Panel panel = shell(patch, cloth, cut);

@@ -17,6 +17,7 @@ struct PanelCut {
   /// Of the panel's inner face over the cloth, not negative; changes slowly.
   std::function<double(const Vec3d&)> height;
   double thickness = 0.0;
+  bool onArms = false;  ///< may also cover the upper arms
 };
 
 struct Panel {

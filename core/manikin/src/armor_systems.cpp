@@ -23,11 +23,25 @@ constexpr double kLoose = 0.002;        ///< of pieces over the creases of hip a
 constexpr double kUnderPlate = 0.0015;  ///< between a plate and what is worn under it
 constexpr double kHelmetStandoff = 0.017;
 
+constexpr double kBesideArm = 0.004;  ///< between a side plate and the arm
+
+/// Of a piece's vertices from a closed surface; negative inside.
+double leastDistance(const geometry::ClosestPointTree& surface, const TriangleMesh& piece, base::Threads threads) {
+  std::vector<double> distance(piece.positions.size());
+  base::parallelFor(distance.size(), 128, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      distance[v] = surface.signedDistance(piece.positions[v].cast<double>());
+    }
+  });
+  return *std::min_element(distance.begin(), distance.end());
+}
+
 /// A soft piece as others see it that lie over it.
 struct Layer {
   Outline outline;
   Outline height;  ///< of its inner face over the cloth
   double thickness = 0.0;
+  bool onArms = false;
 };
 
 /// `loose` over the cloth, and just over the layers below, where there are any.
@@ -90,7 +104,7 @@ class Armorer {
 };
 
 ArmorPiece Armorer::soft(const std::string& name, const Layer& layer, const SheetSpec& sheet, bool protecting) const {
-  Panel panel = cutPanel(cloth_, {layer.outline, layer.height, layer.thickness}, body_, skin_, threads_);
+  Panel panel = cutPanel(cloth_, {layer.outline, layer.height, layer.thickness, layer.onArms}, body_, skin_, threads_);
   ArmorPiece piece;
   piece.name = name;
   piece.mesh = std::move(panel.mesh);
@@ -120,7 +134,13 @@ armor::PlacedPlate Armorer::placed(const TriangleMesh& under, armor::PlateSide s
   placement.clearance = kUnderPlate;
   const bool beside = side == armor::PlateSide::left || side == armor::PlateSide::right;
   placement.top = beside ? marks_.armpit - 0.065 : plateTop_;
-  return armor::placePlate(under, &body_.skeleton, side, beside ? sidePlate_ : plate_, placement);
+  armor::PlacedPlate plate = armor::placePlate(under, &body_.skeleton, side, beside ? sidePlate_ : plate_, placement);
+  // Down the side until it leaves the hanging arm free.
+  for (int step = 0; beside && step < 10 && leastDistance(skin_, plate.mesh, threads_) < kBesideArm; ++step) {
+    *placement.top -= 0.008;
+    plate = armor::placePlate(under, &body_.skeleton, side, sidePlate_, placement);
+  }
+  return plate;
 }
 
 std::vector<geometry::RigidTransform> Armorer::addPlates(ArmorSystem& system,
@@ -169,10 +189,11 @@ ArmorSystem Armorer::fullTorso() const {
   system.pieces.push_back(soft("side_left", layerOver(outlines_.side(1.0), {front, back}, t), sheet, true));
   system.pieces.push_back(soft("side_right", layerOver(outlines_.side(-1.0), {front, back}, t), sheet, true));
   system.pieces.push_back(soft("collar", layerOver(outlines_.collar(), {front, back}, t), sheet, true));
-  system.pieces.push_back(
-      soft("shoulder_left", layerOver(outlines_.shoulder(1.0), {front, back}, t, kLoose), sheet, true));
-  system.pieces.push_back(
-      soft("shoulder_right", layerOver(outlines_.shoulder(-1.0), {front, back}, t, kLoose), sheet, true));
+  for (const double sign : {1.0, -1.0}) {
+    Layer shoulder = layerOver(outlines_.shoulder(sign), {front, back}, t, kLoose);
+    shoulder.onArms = true;
+    system.pieces.push_back(soft(sign > 0.0 ? "shoulder_left" : "shoulder_right", shoulder, sheet, true));
+  }
   system.pieces.push_back(soft("groin", layerOver(outlines_.groin(), {front}, t, kLoose), sheet, true));
   addPlates(system, {armor::PlateSide::front, armor::PlateSide::back, armor::PlateSide::left, armor::PlateSide::right});
   return system;
