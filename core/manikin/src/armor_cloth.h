@@ -23,7 +23,7 @@ struct Cloth {
 };
 
 struct ClothOptions {
-  double edge = 0.0095;       ///< m, of the fine part
+  double edge = 0.0105;       ///< m, of the fine part
   double clearance = 0.0035;  ///< m over the skin, where it lies on
   double bridge = 0.014;      ///< m over the skin at most, where it bridges
 };

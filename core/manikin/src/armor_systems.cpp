@@ -23,7 +23,11 @@ constexpr double kLoose = 0.002;        ///< of pieces over the creases of hip a
 constexpr double kUnderPlate = 0.0015;  ///< between a plate and what is worn under it
 constexpr double kHelmetStandoff = 0.017;
 
-constexpr double kBesideArm = 0.004;  ///< between a side plate and the arm
+constexpr double kFree = 0.0012;  ///< least distance of a side plate to the skin, arms included
+
+bool beside(armor::PlateSide side) {
+  return side == armor::PlateSide::left || side == armor::PlateSide::right;
+}
 
 /// Of a piece's vertices from a closed surface; negative inside.
 double leastDistance(const geometry::ClosestPointTree& surface, const TriangleMesh& piece, base::Threads threads) {
@@ -84,7 +88,8 @@ class Armorer {
  private:
   ArmorPiece soft(const std::string& name, const Layer& layer, const SheetSpec& sheet, bool protecting) const;
   TriangleMesh wornUnder(const std::vector<ArmorPiece>& pieces) const;
-  armor::PlacedPlate placed(const TriangleMesh& under, armor::PlateSide side) const;
+  armor::PlacedPlate placed(const TriangleMesh& under, armor::PlateSide side, double top) const;
+  double sidePlateTop(const TriangleMesh& under) const;
   /// Returns where the plates lie, in the order of `sides`.
   std::vector<geometry::RigidTransform> addPlates(ArmorSystem& system,
                                                   const std::vector<armor::PlateSide>& sides) const;
@@ -129,27 +134,32 @@ TriangleMesh Armorer::wornUnder(const std::vector<ArmorPiece>& pieces) const {
   return under;
 }
 
-armor::PlacedPlate Armorer::placed(const TriangleMesh& under, armor::PlateSide side) const {
+armor::PlacedPlate Armorer::placed(const TriangleMesh& under, armor::PlateSide side, double top) const {
   armor::PlatePlacement placement;
   placement.clearance = kUnderPlate;
-  const bool beside = side == armor::PlateSide::left || side == armor::PlateSide::right;
-  placement.top = beside ? marks_.armpit - 0.065 : plateTop_;
-  armor::PlacedPlate plate = armor::placePlate(under, &body_.skeleton, side, beside ? sidePlate_ : plate_, placement);
-  // Down the side until it leaves the hanging arm free.
-  for (int step = 0; beside && step < 10 && leastDistance(skin_, plate.mesh, threads_) < kBesideArm; ++step) {
-    *placement.top -= 0.008;
-    plate = armor::placePlate(under, &body_.skeleton, side, sidePlate_, placement);
+  placement.top = top;
+  return armor::placePlate(under, &body_.skeleton, side, beside(side) ? sidePlate_ : plate_, placement);
+}
+
+double Armorer::sidePlateTop(const TriangleMesh& under) const {
+  // As high as the hanging arms allow, on both sides.
+  double top = marks_.armpit - 0.055;
+  const auto free = [&](armor::PlateSide side) {
+    return leastDistance(skin_, placed(under, side, top).mesh, threads_) > kFree;
+  };
+  for (int step = 0; step < 12 && !(free(armor::PlateSide::left) && free(armor::PlateSide::right)); ++step) {
+    top -= 0.006;
   }
-  return plate;
+  return top;
 }
 
 std::vector<geometry::RigidTransform> Armorer::addPlates(ArmorSystem& system,
                                                          const std::vector<armor::PlateSide>& sides) const {
   std::vector<geometry::RigidTransform> places;
   const TriangleMesh under = wornUnder(system.pieces);
+  const double besideTop = std::any_of(sides.begin(), sides.end(), beside) ? sidePlateTop(under) : 0.0;
   for (const armor::PlateSide side : sides) {
-    const bool beside = side == armor::PlateSide::left || side == armor::PlateSide::right;
-    const armor::PlateSpec& spec = beside ? sidePlate_ : plate_;
+    const armor::PlateSpec& spec = beside(side) ? sidePlate_ : plate_;
     ArmorPiece piece;
     switch (side) {
       case armor::PlateSide::front:
@@ -165,7 +175,7 @@ std::vector<geometry::RigidTransform> Armorer::addPlates(ArmorSystem& system,
         piece.name = "side_plate_right";
         break;
     }
-    armor::PlacedPlate plate = placed(under, side);
+    armor::PlacedPlate plate = placed(under, side, beside(side) ? besideTop : plateTop_);
     piece.mesh = std::move(plate.mesh);
     places.push_back(plate.place);
     piece.material = "ceramic plate on a fibre backing";
