@@ -142,7 +142,7 @@ Cloth drapedCloth(const Body& body, const BodyShares& shares, const ArmorLandmar
       look(v);
     }
   });
-  constexpr int rounds = 60;
+  constexpr int rounds = 120;
   for (int round = 0; round < rounds; ++round) {
     relax(points, neighbors, moves, 0.5, threads);
     const bool lookAgain = round % 4 == 0 || round + 6 > rounds;

@@ -25,7 +25,7 @@ struct Cloth {
 struct ClothOptions {
   double edge = 0.0105;       ///< m, of the fine part
   double clearance = 0.0035;  ///< m over the skin, where it lies on
-  double bridge = 0.014;      ///< m over the skin at most, where it bridges
+  double bridge = 0.018;      ///< m over the skin at most, where it bridges
 };
 
 /// Neighbours of each vertex, rising.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "armor_sizes.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
 
@@ -160,9 +161,8 @@ ArmorLandmarks armorLandmarks(const Body& body, const BodyShares& shares) {
   marks.shoulder = left("glenohumeral");
   marks.elbow = left("elbow");
 
-  // Of stature, resources/tables/armor.csv: the notch over the sternoclavicular joint, the cervicale over C7/T1.
-  const double notchY = left("sternoclavicular").y() + 0.0029 * marks.stature;
-  const double napeY = at("spine_C7T1").y() + 0.0211 * marks.stature;
+  const double notchY = left("sternoclavicular").y() + notchOverSternoclavicular() * marks.stature;
+  const double napeY = at("spine_C7T1").y() + cervicaleOverC7T1() * marks.stature;
   const auto chest = along(lower, 2, Vec3d(marks.midline, notchY, 0.0));
   const auto back = along(lower, 2, Vec3d(marks.midline, napeY, 0.0));
   LORICA_CHECK(chest && back, "a neck over the trunk");

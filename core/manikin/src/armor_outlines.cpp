@@ -35,7 +35,7 @@ double outsideEllipse(double x, double y, double rx, double ry) {
 constexpr double kCollarGap = 0.022;  ///< from the neck to a vest's neck line
 constexpr double kSideHalf = 0.055;   ///< half a side panel's depth
 constexpr double kSeam = 0.025;       ///< how far front and back reach beyond what meets them
-constexpr double kSideBelowArmpit = 0.03;
+constexpr double kSideBelowArmpit = 0.038;
 constexpr double kSideBelowHem = 0.025;  ///< the side panels reach down to the iliac crest
 
 }  // namespace
@@ -64,7 +64,7 @@ double Outlines::aboveNeckBase(const Vec3d& p) const {
 double Outlines::outsideArmhole(const Vec3d& q) const {
   const double inner = 0.82 * marks_.shoulder.x();
   const double centreX = marks_.shoulder.x() + 0.03;
-  const double bottom = marks_.armpit - 0.018;
+  const double bottom = marks_.armpit - 0.028;
   const double centreY = 0.5 * (bottom + marks_.shoulderTop);
   const double y = q.y() - centreY;
   // Above its middle the armhole runs nearly straight up to the shoulder.

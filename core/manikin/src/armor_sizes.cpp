@@ -28,15 +28,20 @@ struct Entry {
   std::string origin;
 };
 
-Entry entry(std::string_view item, std::string_view size, std::string_view quantity) {
+std::size_t rowOf(std::string_view item, std::string_view size, std::string_view quantity) {
   for (std::size_t r = 0; r < table().rows(); ++r) {
     if (table().text(r, "item") == item && table().text(r, "size_or_group") == size &&
         table().text(r, "quantity") == quantity) {
-      return {table().number(r, "value"),
-              fmt::format("{}: {} ({})", quantity, table().text(r, "source"), table().text(r, "verification"))};
+      return r;
     }
   }
   throw base::InputError("armor.csv", std::string(item), fmt::format("expected a row {}, {}", size, quantity));
+}
+
+Entry entry(std::string_view item, std::string_view size, std::string_view quantity) {
+  const std::size_t r = rowOf(item, size, quantity);
+  return {table().number(r, "value"),
+          fmt::format("{}: {} ({})", quantity, table().text(r, "source"), table().text(r, "verification"))};
 }
 
 constexpr double kMillimetre = 0.001;
@@ -75,6 +80,14 @@ SheetSpec sheet(std::string_view item, std::string material) {
 
 SheetSpec softArmor() {
   return sheet("soft armour panel", "soft armor, aramid or UHMWPE (NIJ IIIA)");
+}
+
+double notchOverSternoclavicular() {
+  return entry("landmark", "all", "notch above sternoclavicular joint / stature").value;
+}
+
+double cervicaleOverC7T1() {
+  return entry("landmark", "all", "cervicale above C7/T1 disc / stature").value;
 }
 
 SheetSpec carrierFabric() {
@@ -123,9 +136,15 @@ armor::PlateSpec sidePlateBeside(const armor::PlateSpec& plate) {
 }
 
 HelmetSpec helmetFor(double headCircumference) {
-  // The ranges of the table, cm: below 55 S, 57 M, 60 L, else XL.
-  const double cm = 100.0 * headCircumference;
-  const char* size = cm < 55.0 ? "S" : cm < 57.0 ? "M" : cm < 60.0 ? "L" : "XL";
+  // The first size whose range, "55-57" cm, does not end below the head; the largest for larger heads.
+  std::string size = "XL";
+  for (const char* smaller : {"S", "M", "L"}) {
+    const std::string& range = table().text(rowOf("ACH", smaller, "head circumference range"), "value");
+    if (100.0 * headCircumference < std::stod(range.substr(range.find('-') + 1))) {
+      size = smaller;
+      break;
+    }
+  }
   const Entry thickness = entry("ACH", "all", "shell thickness");
   const Entry mass = entry("ACH", size, "mass");
   const Entry pads = entry("ACH", "all", "pad thickness");
@@ -135,8 +154,10 @@ HelmetSpec helmetFor(double headCircumference) {
   spec.mass = mass.value;
   spec.pads = kMillimetre * pads.value;
   spec.material = "aramid shell";
-  spec.source = fmt::format("ACH helmet, size {}; {}; {}; {}; areal density: mass over the generated shell's area",
-                            size, thickness.origin, mass.origin, pads.origin);
+  spec.source = fmt::format(
+      "ACH helmet, size {}; head circumference range: sizing practice (from memory, unverified); {}; {}; {}; areal "
+      "density: mass over the generated shell's area",
+      size, thickness.origin, mass.origin, pads.origin);
   return spec;
 }
 

@@ -29,6 +29,10 @@ struct HelmetSpec {
 SheetSpec softArmor();
 SheetSpec carrierFabric();
 
+/// Heights over joints, as shares of stature.
+double notchOverSternoclavicular();
+double cervicaleOverC7T1();
+
 /// The SAPI plate that reaches from just below the notch to nearest 2 in above the navel.
 armor::PlateSpec plateFor(const human::Person& person, const ArmorLandmarks& marks);
 
