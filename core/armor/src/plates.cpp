@@ -219,7 +219,7 @@ TriangleMesh boxOnPlate(const PlateSpec& spec, double left, double right, double
   TriangleMesh mesh;
   const auto place = [&](std::uint32_t vertex, double off) -> geometry::Vec3f {
     return pointOverFace(spec, left + (right - left) * (vertex % columns) / (columns - 1),
-                         low + (high - low) * (vertex / columns) / (rows - 1), off)
+                         low + (high - low) * static_cast<double>(vertex / columns) / (rows - 1), off)
         .cast<float>();
   };
   const std::uint32_t grid = rows * columns;
