@@ -50,8 +50,8 @@ Quatd turn(Role role, Side side, const JointAngles& angles) {
   const Eigen::AngleAxisd axial(radians(sign.axial * angles.axial), Vec3d::UnitY());
   if (bendsSideways(role)) {
     const double out = side == Side::right ? -1.0 : 1.0;
-    return Eigen::AngleAxisd(radians(-out * angles.flexion), Vec3d::UnitZ()) *
-           Eigen::AngleAxisd(radians(-angles.abduction), Vec3d::UnitX()) * axial;
+    return axial * Eigen::AngleAxisd(radians(-out * angles.flexion), Vec3d::UnitZ()) *
+           Eigen::AngleAxisd(radians(-angles.abduction), Vec3d::UnitX());
   }
   return Eigen::AngleAxisd(radians(sign.flexion * angles.flexion), Vec3d::UnitX()) *
          Eigen::AngleAxisd(radians(sign.abduction * angles.abduction), Vec3d::UnitZ()) * axial;
@@ -61,10 +61,10 @@ JointAngles angles(Role role, Side side, const Quatd& turn) {
   const Signs sign = signsOf(role, side);
   const Eigen::Matrix3d m = turn.normalized().toRotationMatrix();
   if (bendsSideways(role)) {
-    // m = Rz(a) Rx(b) Ry(c)
+    // m = Ry(c) Rz(a) Rx(b)
     const double out = side == Side::right ? -1.0 : 1.0;
-    return {-out * degrees(std::atan2(-m(0, 1), m(1, 1))), -degrees(std::asin(std::clamp(m(2, 1), -1.0, 1.0))),
-            sign.axial * degrees(std::atan2(-m(2, 0), m(2, 2)))};
+    return {-out * degrees(std::asin(std::clamp(m(1, 0), -1.0, 1.0))), -degrees(std::atan2(-m(1, 2), m(1, 1))),
+            sign.axial * degrees(std::atan2(-m(2, 0), m(0, 0)))};
   }
   // m = Rx(a) Rz(b) Ry(c)
   return {sign.flexion * degrees(std::atan2(m(2, 1), m(1, 1))),

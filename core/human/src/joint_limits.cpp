@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "lorica/base/csv_table.h"
 #include "lorica/base/error.h"
@@ -27,6 +28,7 @@ std::vector<JointRangeRow> readTable() {
       return table.text(row, column).empty() ? std::nullopt : std::optional(table.number(row, column));
     };
     rows.push_back({table.text(row, "joint"),
+                    table.number(row, "height_frac_stature"),
                     {limit("flexion_max_deg"), limit("extension_max_deg"), limit("abduction_max_deg"),
                      limit("adduction_max_deg"), limit("axial_internal_max_deg"), limit("axial_external_max_deg")}});
   }
@@ -78,40 +80,80 @@ const JointRange& spineLevelRange(std::size_t level) {
   return ranges[level];
 }
 
-std::vector<SpineSegment> spineSegments(const Skeleton& skeleton, const RoleMap& roles) {
-  struct Region {
-    Role role;
-    std::size_t first, end;
+double spineLevelHeight(std::size_t level) {
+  LORICA_CHECK(level < kSpineLevels, "a level of the spine");
+  for (const JointRangeRow& row : jointRanges()) {
+    if (row.joint == kLevelNames.at(level)) {
+      return row.height;
+    }
+  }
+  return 0.0;
+}
+
+namespace {
+
+double heightOf(std::string_view joint) {
+  for (const JointRangeRow& row : jointRanges()) {
+    if (row.joint == joint) {
+      return row.height;
+    }
+  }
+  throw base::CallerError("the joint table has the joint");
+}
+
+/// The trunk's level that lies as high between hip and shoulder joints as a joint of the skeleton.
+std::size_t levelByHeight(const Skeleton& skeleton, const RoleMap& roles, JointIndex joint) {
+  const auto height = [&](Role role) {
+    return 0.5 * (skeleton.restPosition(roles.joint(role, Side::left).value()).y() +
+                  skeleton.restPosition(roles.joint(role, Side::right).value()).y());
   };
-  constexpr std::array<Region, 4> regions{{{Role::lumbar, 0, kFirstThoracicLevel},
-                                           {Role::thoracic, kFirstThoracicLevel, kFirstCervicalLevel},
-                                           {Role::neck, kFirstCervicalLevel, kHeadLevel},
-                                           {Role::head, kHeadLevel, kSpineLevels}}};
+  const double hips = heightOf("hip");
+  const double shoulders = heightOf("glenohumeral");
+  const double share = (skeleton.restPosition(joint).y() - height(Role::hip)) /
+                       std::max(height(Role::shoulder) - height(Role::hip), 1e-6);
+  const double wanted = hips + share * (shoulders - hips);
+  std::size_t nearest = 0;
+  for (std::size_t level = 1; level < kFirstCervicalLevel; ++level) {
+    if (std::abs(spineLevelHeight(level) - wanted) < std::abs(spineLevelHeight(nearest) - wanted)) {
+      nearest = level;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::vector<SpineSegment> spineSegments(const Skeleton& skeleton, const RoleMap& roles) {
   std::vector<SpineSegment> segments;
-  for (const auto& [role, first, end] : regions) {
-    const auto joints = roles.joints(role);
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      const std::size_t even = first + i * (end - first) / joints.size();
-      segments.push_back({joints[i], spineLevel(skeleton.joint(joints[i]).name).value_or(even), 0});
-    }
-  }
-  const bool neck = roles.joint(Role::neck) || roles.joint(Role::head);
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const std::size_t end = i + 1 < segments.size() ? segments[i + 1].firstLevel
-                            : neck                  ? kSpineLevels
-                                                    : kFirstCervicalLevel;
-    segments[i].lastLevel = std::max(end, segments[i].firstLevel + 1) - 1;
-  }
-  if (!segments.empty()) {
-    segments.front().firstLevel = 0;
-    // The first joint above the chest takes what the neck has, were it the head alone.
-    for (std::size_t i = 1; i < segments.size(); ++i) {
-      if (!roles.joint(Role::neck) && roles.joint(Role::head) == segments[i].joint) {
-        segments[i].firstLevel = kFirstCervicalLevel;
-        segments[i - 1].lastLevel = kFirstCervicalLevel - 1;
+  for (const Role role : {Role::lumbar, Role::thoracic}) {
+    for (const JointIndex joint : roles.joints(role)) {
+      const auto named = spineLevel(skeleton.joint(joint).name);
+      std::size_t level = named ? *named : levelByHeight(skeleton, roles, joint);
+      if (!segments.empty()) {
+        level = std::max(level, segments.back().firstLevel + 1);
       }
+      segments.push_back({joint, level, level});
     }
   }
+  const auto neck = roles.joints(Role::neck);
+  for (std::size_t i = 0; i < neck.size(); ++i) {
+    const std::size_t even = kFirstCervicalLevel + i * (kHeadLevel - kFirstCervicalLevel) / neck.size();
+    segments.push_back({neck[i], spineLevel(skeleton.joint(neck[i]).name).value_or(even), 0});
+  }
+  const auto head = roles.joint(Role::head);
+  if (head) {
+    segments.push_back({*head, neck.empty() ? kFirstCervicalLevel : kHeadLevel, 0});
+  }
+  if (segments.empty()) {
+    return segments;
+  }
+  segments.front().firstLevel = 0;
+  for (std::size_t i = 0; i + 1 < segments.size(); ++i) {
+    segments[i].lastLevel = std::max(segments[i + 1].firstLevel, segments[i].firstLevel + 1) - 1;
+  }
+  const bool bearsHead = head || !neck.empty();
+  segments.back().lastLevel =
+      std::max(bearsHead ? kSpineLevels : kFirstCervicalLevel, segments.back().firstLevel + 1) - 1;
   return segments;
 }
 

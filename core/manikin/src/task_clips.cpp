@@ -10,7 +10,8 @@ namespace lorica::manikin {
 namespace {
 
 std::vector<Task> tasksOf(const Figure& figure) {
-  return {toeTouch(), bellyTwist(), lateralTwist(), squat(), kneelAim(), proneAim(), armRaise(), walk(figure), sit()};
+  return {toeTouch(figure), bellyTwist(), lateralTwist(), squat(), kneelAim(),
+          proneAim(),       armRaise(),   walk(figure),   sit()};
 }
 
 /// Channels of what moves: every part's rotation and the pelvis' place.

@@ -18,7 +18,7 @@ struct Task {
 };
 
 // On both feet, from the tables.
-Task toeTouch();
+Task toeTouch(const Figure& figure);
 Task bellyTwist();
 Task lateralTwist();
 Task squat();
@@ -45,9 +45,13 @@ Stance standing(const Figure& figure, const Attitude& attitude);
 /// 0 at both ends, 1 from 0.42 to 0.58 of the duration, least jerk between.
 double upHoldDown(double u);
 
+struct Aim {
+  double weight = 1.0;         ///< 0 leaves the arms as they are
+  double supportReach = 0.0;   ///< trigger hand to support hand, m
+  bool elbowsOnFloor = false;  ///< else they hang
+};
+
 /// Lays hands, forearms and elbows to the rifle that the eye looks along.
-/// \param weight 0 leaves the arms as they are, 1 is the aim
-/// \param elbowsOnFloor else they hang
-void aimRifle(const Figure& figure, Stance& stance, double weight, bool elbowsOnFloor);
+void aimRifle(const Figure& figure, Stance& stance, const Aim& aim);
 
 }  // namespace lorica::manikin

@@ -37,16 +37,15 @@ Quatd handAlong(const Vec3d& fingers, const Vec3d& thumb) {
 }
 
 /// The rifle lies along z below the aiming eye, its butt at the shoulder.
-Rifle rifleOf(const Figure& figure, const Stance& stance) {
+Rifle rifleOf(const Figure& figure, const Stance& stance, double supportReach) {
   const double scale = figure.stature() / 1.755;
   const double pull = scale * tableValue("rifle", "butt to trigger hand", "distance");
-  const double reach = scale * tableValue("rifle", "trigger hand to support hand", "distance");
   const double sight = scale * tableValue("rifle", "eye over grips", "distance");
   const double palm = 0.045 * figure.stature();  // wrist to the middle of the palm
   const Vec3d eye = figure.eye(stance, kTrigger);
   const Vec3d& shoulder = figure.position(stance, Role::shoulder, kTrigger);
   const Vec3d grip(eye.x(), eye.y() - sight, shoulder.z() + pull);
-  const Vec3d handguard = grip + Vec3d(0.0, 0.25 * sight, reach);
+  const Vec3d handguard = grip + Vec3d(0.0, 0.25 * sight, supportReach);
   // The palm lies beside the grip and under the handguard.
   return {{grip + Vec3d(-0.012 * figure.stature(), 0.0, -palm),
            handAlong({0.1, -0.25, 1.0}, Vec3d::UnitY()),
@@ -97,13 +96,13 @@ void aimArm(const Figure& figure, Stance& stance, Side side, const Grip& grip, d
 
 }  // namespace
 
-void aimRifle(const Figure& figure, Stance& stance, double weight, bool elbowsOnFloor) {
-  if (weight <= 0.0) {
+void aimRifle(const Figure& figure, Stance& stance, const Aim& aim) {
+  if (aim.weight <= 0.0) {
     return;
   }
-  const Rifle rifle = rifleOf(figure, stance);
-  aimArm(figure, stance, kTrigger, rifle.trigger, weight, elbowsOnFloor);
-  aimArm(figure, stance, kSupport, rifle.support, weight, elbowsOnFloor);
+  const Rifle rifle = rifleOf(figure, stance, aim.supportReach);
+  aimArm(figure, stance, kTrigger, rifle.trigger, aim.weight, aim.elbowsOnFloor);
+  aimArm(figure, stance, kSupport, rifle.support, aim.weight, aim.elbowsOnFloor);
 }
 
 namespace {
@@ -129,6 +128,69 @@ double ankleOnBall(const Figure& figure, Side side, double pitch) {
   return figure.floor() + figure.soleHeight(side) + ball.y() - (aboutX(pitch) * ball).y();
 }
 
+constexpr double kToesBent = 65.0;  ///< most that toes under a foot bend, below the limit of the joint table
+
+/// How far along its way from toes bent under a standing foot to a foot lying on its back a pitched foot is.
+double lying(const Quatd& foot) {
+  constexpr double begin = 0.2;  // cosine of the foot's pitch
+  return minimumJerk((begin - (foot * Vec3d::UnitZ()).z()) / (2.0 * begin));
+}
+
+/// How deep a foot would dip into the floor with the ball or, when it lies, with the toes; metres, negative above it.
+double footDepth(const Figure& figure, const Stance& stance, Side side) {
+  const double size = figure.stature();
+  const Quatd& foot = stance.carry[figure.joint(Role::ankle, side).value];
+  const Vec3d& ankle = figure.position(stance, Role::ankle, side);
+  // Joint table: the toes end 0.0495 of stature before the ball's joint, 0.008 above the sole.
+  const Vec3d ball = figure.ball(side);
+  const Vec3d toes = ball + size * Vec3d(0.0, -0.0076, 0.0495);
+  const double ballHeight = figure.soleHeight(side) + ball.y();
+  const double ballDepth = figure.floor() + ballHeight - (ankle + foot * ball).y();
+  const double toesDepth = figure.floor() + 0.0080 * size - (ankle + foot * toes).y();
+  return ballDepth + lying(foot) * std::max(0.0, toesDepth - ballDepth);
+}
+
+/// Lifts a foot that would dip into the floor; bends the toes that stand on it.
+void settleFoot(const Figure& figure, Stance& stance, Side side) {
+  const Quatd foot = stance.carry[figure.joint(Role::ankle, side).value];
+  const double depth = footDepth(figure, stance, side);
+  if (depth > 0.0) {
+    const Vec3d ankle = figure.position(stance, Role::ankle, side);
+    figure.reach(stance, Role::hip, Role::knee, Role::ankle, side, ankle + Vec3d(0.0, depth, 0.0));
+    figure.layFoot(stance, side, foot);
+  }
+  const double pitch = base::degrees(std::asin(std::clamp(-(foot * Vec3d::UnitZ()).y(), 0.0, 1.0)));
+  const double extension = std::min(pitch, kToesBent) * (1.0 - lying(foot));
+  for (const human::JointIndex toe : figure.roles().joints(Role::toe, side)) {
+    figure.turnBelow(stance, toe, foot * aboutX(-extension) * stance.carry[toe.value].conjugate());
+  }
+}
+
+/// Puts a foot down, its ankle at a place; where the shank would lean further over it than an ankle bends, the heel
+/// rises about the ball.
+void plantFoot(const Figure& figure, Stance& stance, Side side, const Vec3d& ankle, const Quatd& foot) {
+  constexpr double most = 19.0;  // a degree below the limit of the joint table
+  const Vec3d ball = foot * figure.ball(side);
+  const auto beyond = [&](double heelUp) {
+    figure.reach(stance, Role::hip, Role::knee, Role::ankle, side, ankle + ball - aboutX(heelUp) * ball);
+    figure.layFoot(stance, side, aboutX(heelUp) * foot);
+    settleFoot(figure, stance, side);
+    const Quatd shank = figure.partTurn(stance, Role::knee, side);
+    const Quatd bend = shank.conjugate() * figure.partTurn(stance, Role::ankle, side);
+    return human::angles(Role::ankle, side, bend).flexion - most;
+  };
+  if (beyond(0.0) <= 0.0) {
+    return;
+  }
+  double low = 0.0;
+  double high = 80.0;
+  for (int i = 0; i < 20; ++i) {
+    const double middle = 0.5 * (low + high);
+    (beyond(middle) > 0.0 ? low : high) = middle;
+  }
+  beyond(high);
+}
+
 }  // namespace
 
 Task kneelAim() {
@@ -141,13 +203,13 @@ Task kneelAim() {
   const double frontDorsiflexion = pose(table, "front ankle", "dorsiflexion");
   const double rearHip = pose(table, "rear hip", "flexion");
   const double rearKnee = pose(table, "rear knee", "flexion");
-  const double rearToes = pose(table, "rear MTP", "extension");
   const double rearDorsiflexion = pose(own, "rear ankle", "dorsiflexion");
   const double tilt = pose(own, "pelvis", "anterior tilt");
   const double turn = pose(own, "pelvis", "axial");
   const JointAngles thoracic{pose(own, "thoracic_total", "flexion"), 0.0, pose(own, "thoracic_total", "axial")};
   const JointAngles neck{0.0, pose(own, "cervical_total", "lateral bend"), pose(own, "cervical_total", "axial")};
   const double fingers = pose(own, "fingers, both", "flexion");
+  const double supportReach = pose("rifle", "trigger hand to support hand", "distance");
   return {own, 5.0, 30.0, [=](const Figure& figure, double u) {
             const double s = upHoldDown(u);
             Attitude attitude;
@@ -176,7 +238,9 @@ Task kneelAim() {
                 0.5 * (figure.restPosition(Role::hip, kSupport) - figure.restPosition(Role::hip, kTrigger));
             const Quatd yaw(Eigen::AngleAxisd(radians(turn), Vec3d::UnitY()));
             const Vec3d kneeling(figure.restHips().x(), hipHeight, frontHip - (yaw * half).z());
-            attitude.place = figure.restHips() + s * (kneeling - figure.restHips());
+            // The hips go back before they go down, lest the front shank leans too far.
+            const double backwards = minimumJerk(s / 0.7);
+            attitude.place = figure.restHips() + Vec3d(s, s, backwards).cwiseProduct(kneeling - figure.restHips());
             for (std::size_t side = 0; side < 2; ++side) {
               attitude.legs[side] = figure.rest().legs[side];
             }
@@ -185,7 +249,6 @@ Task kneelAim() {
             back.knee.flexion += s * (rearKnee - back.knee.flexion);
             // Toes tucked under: the foot is pitched as far as shank and ankle turn it.
             const double pitch = tilt - rearHip + rearKnee - rearDorsiflexion;
-            back.toeExtension = std::min(pitch, rearToes) * minimumJerk(s / 0.8);
             Leg& fore = attitude.legs[placeOf(kSupport)];
             fore.hip.flexion += s * (85.0 - fore.hip.flexion);
             fore.knee.flexion += s * (95.0 - fore.knee.flexion);
@@ -203,11 +266,10 @@ Task kneelAim() {
             Vec3d rearAnkle = rearStand + step * (behind - rearStand);
             // The foot is lifted on its way back.
             rearAnkle.y() += 0.12 * rear.shank * std::pow(std::sin(std::numbers::pi * step), 2.0);
-            figure.reach(stance, Role::hip, Role::knee, Role::ankle, kSupport, frontAnkle);
-            figure.layFoot(stance, kSupport, Quatd::Identity());
-            figure.reach(stance, Role::hip, Role::knee, Role::ankle, kTrigger, rearAnkle);
-            figure.layFoot(stance, kTrigger, aboutX(pitch * step));
-            aimRifle(figure, stance, aim, false);
+            plantFoot(figure, stance, kSupport, frontAnkle, Quatd::Identity());
+            plantFoot(figure, stance, kTrigger, rearAnkle, aboutX(pitch * step));
+            const double reach = figure.stature() / 1.755 * supportReach;
+            aimRifle(figure, stance, {aim, reach, false});
             return stance;
           }};
 }
@@ -231,12 +293,13 @@ void bendLegs(const Figure& figure, Attitude& attitude, const JointAngles& hip, 
   }
 }
 
-/// Pitch of the pelvis, between 70 and 110 degrees, at which the shoulders are as high as upper arms that lean 40
-/// degrees lift them from elbows on the floor.
+/// Pitch of the pelvis, between 70 and 110 degrees, at which the shoulders are as high as leaning upper arms lift them
+/// from elbows on the floor.
 double pronePitch(const Figure& figure, Attitude attitude) {
   const double arm =
       (figure.restPosition(Role::shoulder, kSupport) - figure.restPosition(Role::elbow, kSupport)).norm();
-  const double wanted = figure.floor() + figure.elbowHeight() + arm * std::cos(radians(40.0));
+  const double wanted = figure.floor() + figure.elbowHeight() +
+                        arm * std::cos(radians(tableValue("prone_aim", "upper arm, both", "lean from vertical")));
   double low = 70.0;
   double high = 110.0;
   for (int i = 0; i < 40; ++i) {
@@ -274,7 +337,8 @@ ProneWay proneWay(const Figure& figure) {
                      ankle + leg.shank - leg.thigh * std::sin(radians(hip - tilt))};
   for (Arm& arm : way.fours.arms) {
     arm.shoulder.flexion = tableValue(own, "shoulder on all fours, both", "flexion");
-    arm.wrist.flexion = 0.0;
+    arm.pronation = tableValue(own, "forearm on all fours, both", "pronation");
+    arm.wrist.flexion = -tableValue(own, "wrist on all fours, both", "extension");
   }
 
   Attitude& prone = way.prone;
@@ -287,10 +351,20 @@ ProneWay proneWay(const Figure& figure) {
   prone.pelvis.flexion = pronePitch(figure, prone);
   // The thighs slope down from the hips to knees that lie on the floor.
   const double slope = std::asin(std::clamp((figure.pelvisHeight() - figure.kneeHeight()) / leg.thigh, -0.5, 0.5));
-  bendLegs(figure, prone,
-           {prone.pelvis.flexion - 90.0 + base::degrees(slope), tableValue(table, "hip, both", "abduction"),
-            -tableValue(table, "hip, both", "external rotation")},
-           tableValue(table, "knee, both", "flexion"), -tableValue(table, "ankle, both", "plantarflexion"));
+  const JointAngles hips{prone.pelvis.flexion - 90.0 + base::degrees(slope),
+                         tableValue(table, "hip, both", "abduction"),
+                         -tableValue(table, "hip, both", "external rotation")};
+  const double plantarflexion = tableValue(own, "ankle, both", "plantarflexion");
+  // The knees bend from the table's angle until the feet lie on the floor and not in it.
+  double low = tableValue(table, "knee, both", "flexion");
+  double high = low + 40.0;
+  for (int i = 0; i < 30; ++i) {
+    const double knee = 0.5 * (low + high);
+    bendLegs(figure, prone, hips, knee, -plantarflexion);
+    const Stance stance = figure.take(prone);
+    const double depth = std::max(footDepth(figure, stance, Side::left), footDepth(figure, stance, Side::right));
+    (depth > 0.0 ? low : high) = knee;
+  }
   for (Arm& arm : prone.arms) {
     arm.shoulder = {110.0, 20.0, 0.0};
     arm.elbow.flexion = 80.0;
@@ -305,26 +379,30 @@ Task proneAim() {
   return {"prone_aim", 7.0, 30.0, [](const Figure& figure, double u) {
             const ProneWay way = proneWay(figure);
             const double s = upHoldDown(u);
-            // Shares of the four postures on the way; together they are one.
+            // One posture turns into the next, at rest in each.
             constexpr double kneel = 0.36;
             constexpr double fours = 0.66;
-            const auto share = [&](std::vector<double> values) {
-              return Curve::clamped({0.0, kneel, fours, 1.0}, std::move(values)).at(s);
-            };
-            const Attitude attitude = figure.rest() * share({1.0, 0.0, 0.0, 0.0}) +
-                                      way.kneeling * share({0.0, 1.0, 0.0, 0.0}) +
-                                      way.fours * share({0.0, 0.0, 1.0, 0.0}) + way.prone * share({0.0, 0.0, 0.0, 1.0});
+            const double toKneel = minimumJerk(s / kneel);
+            const double toFours = minimumJerk((s - kneel) / (fours - kneel));
+            const double toProne = minimumJerk((s - fours) / (1.0 - fours));
+            const Attitude attitude = figure.rest() * (1.0 - toKneel) + way.kneeling * (toKneel - toFours) +
+                                      way.fours * (toFours - toProne) + way.prone * toProne;
             Stance stance = figure.take(attitude);
-            // As long as it stands, the feet stay where they are; then they follow the legs.
-            const double planted = 1.0 - minimumJerk(s / kneel);
+            // The lower knee is on the floor from kneeling onwards.
+            const double knees = std::min(figure.position(stance, Role::knee, Side::left).y(),
+                                          figure.position(stance, Role::knee, Side::right).y());
+            figure.moveAll(stance, {0.0, toKneel * (figure.floor() + figure.kneeHeight() - knees), 0.0});
+            // As long as it stands, the feet stay where they are, the heels rise; then they follow the legs.
             for (const Side side : kSides) {
               const Vec3d free = figure.position(stance, Role::ankle, side);
-              figure.reach(stance, Role::hip, Role::knee, Role::ankle, side,
-                           free + planted * (figure.restPosition(Role::ankle, side) - free));
-              const Quatd foot = stance.carry[figure.joint(Role::ankle, side).value];
-              figure.layFoot(stance, side, foot.slerp(planted, Quatd::Identity()));
+              const Quatd foot = Quatd::Identity().slerp(toKneel, stance.carry[figure.joint(Role::ankle, side).value]);
+              const Vec3d ball = figure.ball(side);
+              const Vec3d onBall = figure.restPosition(Role::ankle, side) + ball - foot * ball;
+              plantFoot(figure, stance, side, onBall + toKneel * (free - onBall), foot);
             }
-            aimRifle(figure, stance, minimumJerk((s - fours) / (1.0 - fours)), true);
+            const double reach =
+                figure.stature() / 1.755 * tableValue("prone_aim", "trigger hand to support hand", "distance");
+            aimRifle(figure, stance, {toProne, reach, true});
             return stance;
           }};
 }

@@ -92,27 +92,81 @@ void setArms(Attitude& attitude, const JointAngles& shoulder, double elbow) {
 
 }  // namespace
 
-Task toeTouch() {
-  constexpr auto motion = "toe_touch";
-  const Curve lumbar = tableCurve(motion, "lumbar_total", "flexion");
-  const Curve thoracic = tableCurve(motion, "thoracic_total", "flexion");
-  const Curve cervical = tableCurve(motion, "cervical_total", "flexion");
-  const Curve hip = tableCurve(motion, "hip (pelvis on femur), both", "flexion");
-  const Curve knee = tableCurve(motion, "knee, both", "flexion");
-  const Curve ankle = tableCurve(motion, "ankle, both", "plantarflexion(-)");
-  const Curve shoulder = tableCurve(motion, "shoulder, both", "flexion");
-  const Curve abduction = tableCurve(motion, "shoulder, both", "abduction");
-  return {motion, 4.0, 30.0, [=](const Figure& figure, double u) {
-            Attitude attitude;
-            // The legs lean back as one: the pelvis tilts by what the hips bend less that.
-            attitude.pelvis.flexion = hip.at(u) + ankle.at(u) - knee.at(u);
-            attitude.lumbar.flexion = lumbar.at(u);
-            attitude.thoracic.flexion = thoracic.at(u);
-            attitude.neck.flexion = cervical.at(u);
-            setArms(attitude, {shoulder.at(u), abduction.at(u), 0.0}, 0.0);
-            addRest(figure, attitude, restLeft(u));
-            standOnTable(figure, attitude, u, ankle.at(u), knee.at(u));
-            return standing(figure, attitude);
+namespace {
+
+/// Where the fingertips are to touch: the toes' tips.
+Vec3d toeTips(const Figure& figure, Side side) {
+  const Vec3d& ankle = figure.restPosition(Role::ankle, side);
+  return {ankle.x() + figure.ball(side).x(), figure.floor() + 0.012 * figure.stature(),
+          ankle.z() + figure.ball(side).z() + 0.045 * figure.stature()};
+}
+
+/// Shoulder to fingertip of a straight arm; wrist to fingertip is 0.110 of stature in the joint table.
+double armReach(const Figure& figure, Side side) {
+  const auto length = [&](Role upper, Role lower) {
+    return (figure.restPosition(upper, side) - figure.restPosition(lower, side)).norm();
+  };
+  return length(Role::shoulder, Role::elbow) + length(Role::elbow, Role::wrist) + 0.110 * figure.stature();
+}
+
+struct ToeTouch {
+  Curve lumbar = tableCurve("toe_touch", "lumbar_total", "flexion");
+  Curve thoracic = tableCurve("toe_touch", "thoracic_total", "flexion");
+  Curve cervical = tableCurve("toe_touch", "cervical_total", "flexion");
+  Curve hip = tableCurve("toe_touch", "hip (pelvis on femur), both", "flexion");
+  Curve knee = tableCurve("toe_touch", "knee, both", "flexion");
+  Curve ankle = tableCurve("toe_touch", "ankle, both", "plantarflexion(-)");
+  Curve shoulder = tableCurve("toe_touch", "shoulder, both", "flexion");
+  Curve abduction = tableCurve("toe_touch", "shoulder, both", "abduction");
+
+  /// \param deeper degrees the hips bend beyond the table at the deepest
+  Stance stance(const Figure& figure, double u, double deeper) const {
+    Attitude attitude;
+    const double depth = hip.at(u) / hip.at(0.5);
+    // The legs lean back as one: the pelvis tilts by what the hips bend less that.
+    attitude.pelvis.flexion = hip.at(u) + deeper * depth + ankle.at(u) - knee.at(u);
+    attitude.lumbar.flexion = lumbar.at(u);
+    attitude.thoracic.flexion = thoracic.at(u);
+    attitude.neck.flexion = cervical.at(u);
+    setArms(attitude, {shoulder.at(u), abduction.at(u), 0.0}, 0.0);
+    addRest(figure, attitude, restLeft(u));
+    standOnTable(figure, attitude, u, ankle.at(u), knee.at(u));
+    Stance stance = standing(figure, attitude);
+    for (const Side side : kSides) {
+      // The table's arms hang; the deeper the bend, the more they point at the toes.
+      const Vec3d& shoulderPlace = figure.position(stance, Role::shoulder, side);
+      const Quatd aim = Quatd::FromTwoVectors(figure.position(stance, Role::wrist, side) - shoulderPlace,
+                                              toeTips(figure, side) - shoulderPlace);
+      figure.turnBelow(stance, figure.joint(Role::shoulder, side), Quatd::Identity().slerp(minimumJerk(depth), aim));
+    }
+    return stance;
+  }
+
+  /// The table's hips bend 70 degrees whatever the proportions; arms that are short for their trunk and legs ask for
+  /// more before they reach the toes, up to 25 degrees more.
+  double deeper(const Figure& figure) const {
+    double low = 0.0;
+    double high = 25.0;
+    for (int i = 0; i < 30; ++i) {
+      const double middle = 0.5 * (low + high);
+      const Stance deepest = stance(figure, 0.5, middle);
+      double missing = 0.0;
+      for (const Side side : kSides) {
+        missing +=
+            (figure.position(deepest, Role::shoulder, side) - toeTips(figure, side)).norm() - armReach(figure, side);
+      }
+      (missing > 0.0 ? low : high) = middle;
+    }
+    return high;
+  }
+};
+
+}  // namespace
+
+Task toeTouch(const Figure& figure) {
+  const ToeTouch motion;
+  return {"toe_touch", 4.0, 30.0, [motion, deeper = motion.deeper(figure)](const Figure& same, double u) {
+            return motion.stance(same, u, deeper);
           }};
 }
 
@@ -126,19 +180,22 @@ Task bellyTwist() {
                {"spine_T12L1", "spine_T11T12", "spine_T10T11", "spine_T9T10", "spine_T8T9", "spine_T7T8", "spine_T6T7",
                 "spine_T5T6", "spine_T4T5", "spine_T3T4", "spine_T2T3", "spine_T1T2"},
                "axial", 0.25);
-  const Curve swing = Curve::clamped({0.0, 0.25, 0.75, 1.0}, {0.0, 1.0, -1.0, 0.0});
   const Curve pelvis = tableCurve(motion, "pelvis_on_feet (both hips)", "axial");
   const Curve cervical = tableCurve(motion, "cervical_total", "axial");
   const Curve flexion = tableCurve(motion, "shoulder, both", "flexion");
   const Curve abduction = tableCurve(motion, "shoulder, both", "abduction");
+  const Curve rotation = tableCurve(motion, "shoulder, both", "internal rotation");
   const Curve elbow = tableCurve(motion, "elbow, both", "flexion");
   return {motion, 4.0, 30.0, [=](const Figure& figure, double u) {
             Attitude attitude;
+            // To the left, to the right and back, never beyond.
+            const double swing =
+                minimumJerk(u / 0.25) - 2.0 * minimumJerk((u - 0.25) / 0.5) + minimumJerk((u - 0.75) / 0.25);
             attitude.pelvis.axial = pelvis.at(u);
-            attitude.lumbar.axial = lumbar * swing.at(u);
-            attitude.thoracic.axial = thoracic * swing.at(u);
+            attitude.lumbar.axial = lumbar * swing;
+            attitude.thoracic.axial = thoracic * swing;
             attitude.neck.axial = cervical.at(u);
-            setArms(attitude, {flexion.at(u), abduction.at(u), 0.0}, elbow.at(u));
+            setArms(attitude, {flexion.at(u), abduction.at(u), rotation.at(u)}, elbow.at(u));
             addRest(figure, attitude, restLeft(u));
             standOnTable(figure, attitude, u, 2.0 * (1.0 - restLeft(u)), 4.0 * (1.0 - restLeft(u)));
             return standing(figure, attitude);

@@ -26,7 +26,7 @@ struct JointAngles {
 
 /// The turn of the part below the joint against the part above it, in a frame with x to the left, y up, z forward.
 geometry::Quatd turn(Role role, Side side, const JointAngles& angles);
-/// The inverse of turn(); abduction comes out within 90 degrees of zero.
+/// The inverse of turn(); abduction (of the hand flexion) comes out within 90 degrees of zero.
 JointAngles angles(Role role, Side side, const geometry::Quatd& turn);
 
 }  // namespace lorica::human

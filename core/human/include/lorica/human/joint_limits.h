@@ -22,7 +22,8 @@ struct JointRange {
 };
 
 struct JointRangeRow {
-  std::string joint;  ///< name of the joint table, without side
+  std::string joint;    ///< name of the joint table, without side
+  double height = 0.0;  ///< of the joint, fraction of stature (male)
   JointRange range;
 };
 
@@ -40,6 +41,8 @@ inline constexpr std::size_t kHeadLevel = 24;           ///< C0/C1
 
 /// Level of a joint of the built-in names ("spine_L3L4", "head_C0C1").
 std::optional<std::size_t> spineLevel(std::string_view joint);
+/// Height of a level's joint, fraction of stature (male).
+double spineLevelHeight(std::size_t level);
 /// Range of one motion segment.
 const JointRange& spineLevelRange(std::size_t level);
 
@@ -50,7 +53,8 @@ struct SpineSegment {
   std::size_t lastLevel = 0;  ///< inclusive
 };
 
-/// Upwards. Joints with built-in names know their level; others share their region's levels evenly in their order.
+/// Upwards. Joints with built-in names know their level; others of the trunk are told by their height between hip and
+/// shoulder joints, those of the neck share its levels evenly.
 /// Without neck and head the cervical levels belong to nobody.
 std::vector<SpineSegment> spineSegments(const Skeleton& skeleton, const RoleMap& roles);
 
