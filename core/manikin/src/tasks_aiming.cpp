@@ -39,7 +39,8 @@ Quatd handAlong(const Vec3d& fingers, const Vec3d& thumb) {
 /// The rifle lies along z below the aiming eye, its butt at the shoulder.
 Rifle rifleOf(const Figure& figure, const Stance& stance, double supportReach) {
   const double scale = figure.stature() / 1.755;
-  const double pull = scale * tableValue("rifle", "butt to trigger hand", "distance");
+  const double pull = scale * (tableValue("rifle", "shoulder joint to butt", "distance") +
+                               tableValue("rifle", "butt to trigger hand", "distance"));
   const double sight = scale * tableValue("rifle", "eye over grips", "distance");
   const double palm = 0.045 * figure.stature();  // wrist to the middle of the palm
   const Vec3d eye = figure.eye(stance, kTrigger);
@@ -122,10 +123,27 @@ Quatd aboutX(double degrees) {
   return Quatd(Eigen::AngleAxisd(radians(degrees), Vec3d::UnitX()));
 }
 
-/// Height of an ankle whose foot stands on its ball, pitched by `pitch` degrees, toes flat.
-double ankleOnBall(const Figure& figure, Side side, double pitch) {
-  const Vec3d ball = figure.ball(side);
-  return figure.floor() + figure.soleHeight(side) + ball.y() - (aboutX(pitch) * ball).y();
+/// Toes' tips from the ankle of a foot at rest, and half their thickness: they end 0.0495 of stature before the ball's
+/// joint, 0.008 above the sole (joint table).
+Vec3d toeTip(const Figure& figure, Side side) {
+  return figure.ball(side) + figure.stature() * Vec3d(0.0, -0.0076, 0.0495);
+}
+double toeThickness(const Figure& figure) {
+  return 0.008 * figure.stature();
+}
+
+/// Rise of the shank, degrees, from a knee on the floor to the ankle of a foot that lies on its back, bent downwards by
+/// `plantarflexion`.
+double lyingShankRise(const Figure& figure, Side side, double plantarflexion) {
+  const double shank = lengthsOf(figure, side).shank;
+  double rise = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    const Quatd foot = aboutX(90.0 + rise + plantarflexion);
+    const double ball = figure.soleHeight(side) + figure.ball(side).y() - (foot * figure.ball(side)).y();
+    const double toes = toeThickness(figure) - (foot * toeTip(figure, side)).y();
+    rise = base::degrees(std::asin(std::clamp((std::max(ball, toes) - figure.kneeHeight()) / shank, -0.5, 0.5)));
+  }
+  return rise;
 }
 
 constexpr double kToesBent = 65.0;  ///< most that toes under a foot bend, below the limit of the joint table
@@ -138,15 +156,12 @@ double lying(const Quatd& foot) {
 
 /// How deep a foot would dip into the floor with the ball or, when it lies, with the toes; metres, negative above it.
 double footDepth(const Figure& figure, const Stance& stance, Side side) {
-  const double size = figure.stature();
   const Quatd& foot = stance.carry[figure.joint(Role::ankle, side).value];
   const Vec3d& ankle = figure.position(stance, Role::ankle, side);
-  // Joint table: the toes end 0.0495 of stature before the ball's joint, 0.008 above the sole.
   const Vec3d ball = figure.ball(side);
-  const Vec3d toes = ball + size * Vec3d(0.0, -0.0076, 0.0495);
   const double ballHeight = figure.soleHeight(side) + ball.y();
   const double ballDepth = figure.floor() + ballHeight - (ankle + foot * ball).y();
-  const double toesDepth = figure.floor() + 0.0080 * size - (ankle + foot * toes).y();
+  const double toesDepth = figure.floor() + toeThickness(figure) - (ankle + foot * toeTip(figure, side)).y();
   return ballDepth + lying(foot) * std::max(0.0, toesDepth - ballDepth);
 }
 
@@ -203,7 +218,7 @@ Task kneelAim() {
   const double frontDorsiflexion = pose(table, "front ankle", "dorsiflexion");
   const double rearHip = pose(table, "rear hip", "flexion");
   const double rearKnee = pose(table, "rear knee", "flexion");
-  const double rearDorsiflexion = pose(own, "rear ankle", "dorsiflexion");
+  const double rearPlantarflexion = pose(table, "rear ankle", "plantarflexion");
   const double tilt = pose(own, "pelvis", "anterior tilt");
   const double turn = pose(own, "pelvis", "axial");
   const JointAngles thoracic{pose(own, "thoracic_total", "flexion"), 0.0, pose(own, "thoracic_total", "axial")};
@@ -247,20 +262,23 @@ Task kneelAim() {
             Leg& back = attitude.legs[placeOf(kTrigger)];
             back.hip.flexion += s * (rearHip - back.hip.flexion);
             back.knee.flexion += s * (rearKnee - back.knee.flexion);
-            // Toes tucked under: the foot is pitched as far as shank and ankle turn it.
-            const double pitch = tilt - rearHip + rearKnee - rearDorsiflexion;
+            // The pelvis is turned, the legs are not: thigh and shank of the rear leg stand in one upright plane.
+            back.hip.abduction *= 1.0 - s;
+            back.knee.abduction *= 1.0 - s;
+            back.hip.axial = -turn * s;
             Leg& fore = attitude.legs[placeOf(kSupport)];
             fore.hip.flexion += s * (85.0 - fore.hip.flexion);
             fore.knee.flexion += s * (95.0 - fore.knee.flexion);
+            fore.hip.axial = turn * s;
             Stance stance = figure.take(attitude);
             // The rear knee stands below its hip; its ankle lies behind it.
             const Vec3d rearHipPlace = kneeling - yaw * half;
-            const double ankleHeight = ankleOnBall(figure, kTrigger, pitch);
-            const double shankRise =
-                std::clamp((ankleHeight - figure.floor() - figure.kneeHeight()) / rear.shank, -0.9, 0.9);
-            const Vec3d behind(figure.restPosition(Role::ankle, kTrigger).x(), ankleHeight,
-                               rearHipPlace.z() - rear.thigh * std::sin(radians(thighLean)) -
-                                   rear.shank * std::sqrt(1.0 - shankRise * shankRise));
+            const double shankRise = radians(lyingShankRise(figure, kTrigger, rearPlantarflexion));
+            const double pitch = 90.0 + base::degrees(shankRise) + rearPlantarflexion;
+            const Vec3d behind(
+                figure.restPosition(Role::ankle, kTrigger).x(),
+                figure.floor() + figure.kneeHeight() + rear.shank * std::sin(shankRise),
+                rearHipPlace.z() - rear.thigh * std::sin(radians(thighLean)) - rear.shank * std::cos(shankRise));
             const Vec3d rearStand = figure.restPosition(Role::ankle, kTrigger);
             const double step = minimumJerk(s / 0.75);
             Vec3d rearAnkle = rearStand + step * (behind - rearStand);
