@@ -1,5 +1,6 @@
 #include "lorica/human/skinning.h"
 
+#include <Eigen/SVD>
 #include <algorithm>
 
 #include "lorica/base/error.h"
@@ -76,30 +77,99 @@ NormalisedWeights normaliseWeights(std::span<const Influence> perVertex, std::si
   return result;
 }
 
-std::vector<SkinningDelta> skinningDeltas(const Skeleton& skeleton, const Pose& pose) {
-  std::vector<SkinningDelta> deltas;
-  deltas.reserve(skeleton.size());
-  for (const geometry::Affine3d& carry : carryTransforms(skeleton, pose)) {
-    Eigen::Matrix<double, 3, 4> delta = carry.matrix().topRows<3>();
-    delta.leftCols<3>() -= geometry::Mat3d::Identity();
-    deltas.emplace_back(delta.cast<float>());
+namespace {
+
+// Largest departure of a joint's map from a rotation that counts as rounding.
+constexpr double noStretch = 1e-6;
+
+/// The rotation nearest to a linear map (polar decomposition).
+geometry::Mat3d nearestRotation(const geometry::Mat3d& map) {
+  const Eigen::JacobiSVD<geometry::Mat3d> svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  geometry::Mat3d turned = svd.matrixU();
+  if ((turned * svd.matrixV().transpose()).determinant() < 0.0) {
+    turned.col(2) = -turned.col(2);
+  }
+  return turned * svd.matrixV().transpose();
+}
+
+bool isRotation(const geometry::Mat3d& map) {
+  return (map.transpose() * map - geometry::Mat3d::Identity()).cwiseAbs().maxCoeff() < noStretch &&
+         map.determinant() > 0.0;
+}
+
+/// How far the blended rotation takes `arm` from where it was. \param quaternion x, y, z, w of any length but zero
+Vec3f turnOf(const Vec3f& arm, const Eigen::Vector4f& quaternion) {
+  const Vec3f axis = quaternion.head<3>();
+  const Vec3f across = axis.cross(arm);
+  return (2.0F / quaternion.squaredNorm()) * (quaternion.w() * across + axis.cross(across));
+}
+
+}  // namespace
+
+SkinningDeltas skinningDeltas(const Skeleton& skeleton, const Pose& pose) {
+  const std::vector<geometry::Affine3d> carry = carryTransforms(skeleton, pose);
+  SkinningDeltas deltas;
+  deltas.joints.resize(skeleton.size());
+  deltas.stretches.resize(skeleton.size(), Eigen::Matrix3f::Zero());
+  std::vector<Eigen::Vector4d> turns(skeleton.size());
+  bool stretched = false;
+  for (std::size_t j = 0; j < skeleton.size(); ++j) {
+    geometry::Mat3d rotation = carry[j].linear();
+    if (!isRotation(rotation)) {
+      rotation = nearestRotation(rotation);
+      deltas.stretches[j] = (carry[j].linear() - rotation).cast<float>();
+      stretched = true;
+    }
+    // q and -q are the same turn, but not when blended: neighbours along the skeleton stay on one side, so that a blend
+    // takes the turn that the joints between them made.
+    turns[j] = geometry::Quatd(rotation).normalized().coeffs();
+    const auto parent = skeleton.joints()[j].parent;
+    if ((parent ? turns[j].dot(turns[parent->value]) : turns[j].w()) < 0.0) {
+      turns[j] = -turns[j];
+    }
+    Eigen::Matrix4d delta;
+    delta.topRows<3>() = carry[j].matrix().topRows<3>();
+    delta.topLeftCorner<3, 3>() -= geometry::Mat3d::Identity();
+    delta.row(3) = turns[j].transpose();
+    deltas.joints[j] = delta.cast<float>();
+  }
+  if (!stretched) {
+    deltas.stretches.clear();
   }
   return deltas;
 }
 
-void skin(std::span<const Vec3f> rest, const SkinWeights& weights, std::span<const SkinningDelta> deltas,
-          std::span<Vec3f> posed, base::Threads threads) {
+void skin(std::span<const Vec3f> rest, const SkinWeights& weights, std::span<const Vec3f> centres,
+          const SkinningDeltas& deltas, std::span<Vec3f> posed, base::Threads threads) {
   LORICA_CHECK(rest.size() == posed.size() && rest.size() == weights.vertices(), "one weight set per vertex");
+  LORICA_CHECK(centres.empty() || centres.size() == rest.size(), "one centre per vertex");
+  // Turns that cancel each other out leave no rotation to blend.
+  constexpr float cancelled = 1e-6F;
   constexpr std::size_t grain = 4096;
   base::parallelFor(rest.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const std::uint32_t* joint = weights.joints.data() + v * weights.influences;
       const float* weight = weights.weights.data() + v * weights.influences;
-      SkinningDelta blend = weight[0] * deltas[joint[0]];
-      for (std::size_t k = 1; k < weights.influences && weight[k] > 0.0F; ++k) {
-        blend += weight[k] * deltas[joint[k]];
+      Eigen::Matrix4f blend = weight[0] * deltas.joints[joint[0]];
+      std::size_t held = 1;
+      for (; held < weights.influences && weight[held] > 0.0F; ++held) {
+        blend += weight[held] * deltas.joints[joint[held]];
       }
-      posed[v] = rest[v] + (blend.leftCols<3>() * rest[v] + blend.col(3));
+      const bool turns = held > 1 && !centres.empty();
+      const Vec3f centre = turns ? centres[v] : rest[v];
+      const Eigen::Vector4f moved =
+          blend.col(0) * centre.x() + blend.col(1) * centre.y() + blend.col(2) * centre.z() + blend.col(3);
+      Vec3f change = moved.head<3>();
+      if (turns) {
+        const Vec3f arm = rest[v] - centre;
+        const Eigen::Vector4f blended = blend.row(3).transpose();
+        const bool usable = blended.squaredNorm() > cancelled;
+        change += turnOf(arm, usable ? blended : Eigen::Vector4f(deltas.joints[joint[0]].row(3).transpose()));
+        for (std::size_t k = 0; k < held && !deltas.stretches.empty(); ++k) {
+          change += weight[k] * (deltas.stretches[joint[k]] * arm);
+        }
+      }
+      posed[v] = rest[v] + change;
     }
   });
 }
