@@ -2,6 +2,8 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "lorica/base/error.h"
 
@@ -97,12 +99,71 @@ bool isRotation(const geometry::Mat3d& map) {
          map.determinant() > 0.0;
 }
 
-/// How far the blended rotation takes `arm` from where it was. \param quaternion x, y, z, w of any length but zero
-Vec3f turnOf(const Vec3f& arm, const Eigen::Vector4f& quaternion) {
-  const Vec3f axis = quaternion.head<3>();
-  const Vec3f across = axis.cross(arm);
-  return (2.0F / quaternion.squaredNorm()) * (quaternion.w() * across + axis.cross(across));
-}
+/// Vertices on their way through skin(): a component of all of them stands together, so that the compiler turns several
+/// at once: more than twice as fast as one by one.
+struct Block {
+  static constexpr std::size_t size = 64;
+  using Lane = std::array<float, size>;
+  std::array<Lane, 3> change;  ///< posed - rest, metres
+  std::array<Lane, 3> arm;     ///< rest - centre
+  std::array<Lane, 4> turn;    ///< blended quaternion x, y, z, w, not of unit length
+
+  /// Blends the joints that hold a vertex: how far its centre moves, how far its arm is stretched, how it turns.
+  void blend(std::size_t i, const Vec3f& rest, const SkinWeights& weights, std::size_t vertex, const Vec3f& centre,
+             const SkinningDeltas& deltas) {
+    const std::uint32_t* joint = weights.joints.data() + vertex * weights.influences;
+    const float* weight = weights.weights.data() + vertex * weights.influences;
+    const SkinningDeltas::Joint& strongest = deltas.joints[joint[0]];
+    // One register each.
+    Eigen::Vector4f x = weight[0] * strongest.col(0);
+    Eigen::Vector4f y = weight[0] * strongest.col(1);
+    Eigen::Vector4f z = weight[0] * strongest.col(2);
+    Eigen::Vector4f shift = weight[0] * strongest.col(3);
+    Eigen::Vector4f quaternion = weight[0] * strongest.col(4);
+    std::size_t held = 1;
+    for (; held < weights.influences && weight[held] > 0.0F; ++held) {
+      const SkinningDeltas::Joint& next = deltas.joints[joint[held]];
+      x += weight[held] * next.col(0);
+      y += weight[held] * next.col(1);
+      z += weight[held] * next.col(2);
+      shift += weight[held] * next.col(3);
+      quaternion += weight[held] * next.col(4);
+    }
+    // What one joint holds moves with it, to the bit as in linear skinning.
+    const Vec3f& about = held > 1 ? centre : rest;
+    Eigen::Vector4f moved = x * about.x() + y * about.y() + z * about.z() + shift;
+    for (std::size_t k = 0; k < held && !deltas.stretches.empty(); ++k) {
+      moved.head<3>() += weight[k] * (deltas.stretches[joint[k]] * (rest - about));
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto component = static_cast<Eigen::Index>(c);
+      change[c][i] = moved[component];
+      arm[c][i] = rest[component] - about[component];
+    }
+    for (std::size_t c = 0; c < 4; ++c) {
+      turn[c][i] = quaternion[static_cast<Eigen::Index>(c)];
+    }
+  }
+
+  /// Adds how far the turns take the arms from where they were. Turns that cancel each other out do not turn.
+  void addTurns() {
+    for (std::size_t i = 0; i < size; ++i) {
+      const float qx = turn[0][i];
+      const float qy = turn[1][i];
+      const float qz = turn[2][i];
+      const float qw = turn[3][i];
+      // The least float changes no sum but nought, where turns cancel each other out.
+      const float squaredNorm = qx * qx + qy * qy + qz * qz + qw * qw + std::numeric_limits<float>::min();
+      const float scale = 2.0F / squaredNorm;
+      const float ux = qy * arm[2][i] - qz * arm[1][i];
+      const float uy = qz * arm[0][i] - qx * arm[2][i];
+      const float uz = qx * arm[1][i] - qy * arm[0][i];
+      change[0][i] += scale * (qw * ux + (qy * uz - qz * uy));
+      change[1][i] += scale * (qw * uy + (qz * ux - qx * uz));
+      change[2][i] += scale * (qw * uz + (qx * uy - qy * ux));
+    }
+  }
+};
 
 }  // namespace
 
@@ -127,11 +188,8 @@ SkinningDeltas skinningDeltas(const Skeleton& skeleton, const Pose& pose) {
     if ((parent ? turns[j].dot(turns[parent->value]) : turns[j].w()) < 0.0) {
       turns[j] = -turns[j];
     }
-    Eigen::Matrix4d delta;
-    delta.topRows<3>() = carry[j].matrix().topRows<3>();
-    delta.topLeftCorner<3, 3>() -= geometry::Mat3d::Identity();
-    delta.row(3) = turns[j].transpose();
-    deltas.joints[j] = delta.cast<float>();
+    Eigen::Matrix4d delta = carry[j].matrix() - Eigen::Matrix4d::Identity();
+    deltas.joints[j] << delta.cast<float>(), turns[j].cast<float>();
   }
   if (!stretched) {
     deltas.stretches.clear();
@@ -143,33 +201,21 @@ void skin(std::span<const Vec3f> rest, const SkinWeights& weights, std::span<con
           const SkinningDeltas& deltas, std::span<Vec3f> posed, base::Threads threads) {
   LORICA_CHECK(rest.size() == posed.size() && rest.size() == weights.vertices(), "one weight set per vertex");
   LORICA_CHECK(centres.empty() || centres.size() == rest.size(), "one centre per vertex");
-  // Turns that cancel each other out leave no rotation to blend.
-  constexpr float cancelled = 1e-6F;
-  constexpr std::size_t grain = 4096;
-  base::parallelFor(rest.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const std::uint32_t* joint = weights.joints.data() + v * weights.influences;
-      const float* weight = weights.weights.data() + v * weights.influences;
-      Eigen::Matrix4f blend = weight[0] * deltas.joints[joint[0]];
-      std::size_t held = 1;
-      for (; held < weights.influences && weight[held] > 0.0F; ++held) {
-        blend += weight[held] * deltas.joints[joint[held]];
+  constexpr std::size_t blocksPerRange = 64;
+  const std::size_t blocks = (rest.size() + Block::size - 1) / Block::size;
+  base::parallelFor(blocks, blocksPerRange, threads, [&](std::size_t firstBlock, std::size_t endBlock) {
+    Block block{};
+    const std::size_t end = std::min(endBlock * Block::size, rest.size());
+    for (std::size_t first = firstBlock * Block::size; first < end; first += Block::size) {
+      const std::size_t count = std::min(Block::size, end - first);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t v = first + i;
+        block.blend(i, rest[v], weights, v, centres.empty() ? rest[v] : centres[v], deltas);
       }
-      const bool turns = held > 1 && !centres.empty();
-      const Vec3f centre = turns ? centres[v] : rest[v];
-      const Eigen::Vector4f moved =
-          blend.col(0) * centre.x() + blend.col(1) * centre.y() + blend.col(2) * centre.z() + blend.col(3);
-      Vec3f change = moved.head<3>();
-      if (turns) {
-        const Vec3f arm = rest[v] - centre;
-        const Eigen::Vector4f blended = blend.row(3).transpose();
-        const bool usable = blended.squaredNorm() > cancelled;
-        change += turnOf(arm, usable ? blended : Eigen::Vector4f(deltas.joints[joint[0]].row(3).transpose()));
-        for (std::size_t k = 0; k < held && !deltas.stretches.empty(); ++k) {
-          change += weight[k] * (deltas.stretches[joint[k]] * arm);
-        }
+      block.addTurns();
+      for (std::size_t i = 0; i < count; ++i) {
+        posed[first + i] = rest[first + i] + Vec3f(block.change[0][i], block.change[1][i], block.change[2][i]);
       }
-      posed[v] = rest[v] + change;
     }
   });
 }

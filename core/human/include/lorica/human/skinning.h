@@ -58,9 +58,10 @@ enum class Skinning {
 
 /// What a pose does to everything bound to the joints; made once per pose by skinningDeltas().
 struct SkinningDeltas {
-  /// Per joint. Rows 0 to 2: the linear map of the joint minus the identity, so that it is exactly zero at rest.
-  /// Row 3: the map's turn as a unit quaternion x, y, z, w, signed like that of the joint's parent.
-  std::vector<Eigen::Matrix4f> joints;
+  /// Columns 0 to 3: the map of the joint (3 x 4, and a row of zeros) minus the identity, so that it is exactly zero at
+  /// rest. Column 4: the map's turn as a unit quaternion x, y, z, w, on the same side as that of the joint's parent.
+  using Joint = Eigen::Matrix<float, 4, 5>;
+  std::vector<Joint> joints;
   /// Per joint what its map has beyond the turn (scale, shear); empty when no joint has any.
   std::vector<Eigen::Matrix3f> stretches;
 };
