@@ -56,43 +56,52 @@ Rifle rifleOf(const Figure& figure, const Stance& stance, double supportReach) {
            {0.25, -1.0, 0.0}}};
 }
 
-/// Angle about the line from shoulder to wrist that brings the elbow nearest to a direction; on the floor, to the
-/// place of its circle that touches the floor on that side, else to the lowest one.
-double elbowAngle(const Figure& figure, const Stance& stance, Side side, const Vec3d& wanted, bool onFloor) {
+/// The circle an elbow can be turned on while shoulder and wrist stay.
+struct ElbowCircle {
+  Vec3d centre;
+  Vec3d now;     ///< from the centre to the elbow
+  Vec3d across;  ///< a quarter turn further
+};
+
+ElbowCircle elbowCircle(const Figure& figure, const Stance& stance, Side side) {
   const Vec3d& shoulder = figure.position(stance, Role::shoulder, side);
   const Vec3d axis = (figure.position(stance, Role::wrist, side) - shoulder).normalized();
   const Vec3d arm = figure.position(stance, Role::elbow, side) - shoulder;
-  const Vec3d now = arm - arm.dot(axis) * axis;
-  const Vec3d across = axis.cross(now);
-  if (!onFloor) {
-    return std::atan2(wanted.dot(across), wanted.dot(now));
-  }
-  const double centre = shoulder.y() + arm.dot(axis) * axis.y();
-  const double range = std::hypot(now.y(), across.y());
-  const double top = std::atan2(across.y(), now.y());
-  const double height = figure.floor() + figure.elbowHeight() - centre;
-  const double away = std::acos(std::clamp(height / std::max(range, 1e-9), -1.0, 1.0));
-  const auto outwards = [&](double angle) {
-    return wanted.x() * (std::cos(angle) * now + std::sin(angle) * across).x();
-  };
-  return outwards(top + away) > outwards(top - away) ? top + away : top - away;
+  const Vec3d along = arm.dot(axis) * axis;
+  return {shoulder + along, arm - along, axis.cross(arm - along)};
 }
 
-double wrapped(double angle) {
+/// The turn that brings the elbow nearest to a direction.
+double swivelTowards(const ElbowCircle& circle, const Vec3d& wanted) {
+  return std::atan2(wanted.dot(circle.across), wanted.dot(circle.now));
+}
+
+/// The turn that brings the elbow onto the floor on the side of a direction, else as low as it gets.
+double swivelOntoFloor(const Figure& figure, const ElbowCircle& circle, const Vec3d& wanted) {
+  const double range = std::hypot(circle.now.y(), circle.across.y());
+  const double top = std::atan2(circle.across.y(), circle.now.y());
+  const double height = figure.floor() + figure.elbowHeight() - circle.centre.y();
+  const double away = std::acos(std::clamp(height / std::max(range, 1e-9), -1.0, 1.0));
+  const auto outwards = [&](double angle) {
+    return wanted.x() * (std::cos(angle) * circle.now + std::sin(angle) * circle.across).x();
+  };
+  const double angle = outwards(top + away) > outwards(top - away) ? top + away : top - away;
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
-void aimArm(const Figure& figure, Stance& stance, Side side, const Grip& grip, double weight, bool elbowsOnFloor) {
+void aimArm(const Figure& figure, Stance& stance, Side side, const Grip& grip, const Aim& aim) {
   const Vec3d wrist = figure.position(stance, Role::wrist, side);
-  figure.reach(stance, Role::shoulder, Role::elbow, Role::wrist, side, wrist + weight * (grip.wrist - wrist));
-  figure.swivel(stance, side, weight * wrapped(elbowAngle(figure, stance, side, grip.elbowSide, elbowsOnFloor)));
+  figure.reach(stance, Role::shoulder, Role::elbow, Role::wrist, side, wrist + aim.weight * (grip.wrist - wrist));
+  const double swivel =
+      aim.swivels ? (*aim.swivels)[placeOf(side)] : swivelTowards(elbowCircle(figure, stance, side), grip.elbowSide);
+  figure.swivel(stance, side, aim.weight * swivel);
   // Forearm and hand share the turn that lays the hand to the rifle, within what a wrist can do.
   const Quatd forearm = figure.partTurn(stance, Role::elbow, side);
   JointAngles hand = human::angles(Role::wrist, side, forearm.conjugate() * grip.hand);
   hand.flexion = std::clamp(hand.flexion, -45.0, 45.0);
   hand.abduction = std::clamp(hand.abduction, -22.0, 15.0);
   hand.axial = std::clamp(hand.axial, -80.0, 70.0);
-  figure.turnHand(stance, side, hand, weight);
+  figure.turnHand(stance, side, hand, aim.weight);
 }
 
 }  // namespace
@@ -102,8 +111,18 @@ void aimRifle(const Figure& figure, Stance& stance, const Aim& aim) {
     return;
   }
   const Rifle rifle = rifleOf(figure, stance, aim.supportReach);
-  aimArm(figure, stance, kTrigger, rifle.trigger, aim.weight, aim.elbowsOnFloor);
-  aimArm(figure, stance, kSupport, rifle.support, aim.weight, aim.elbowsOnFloor);
+  aimArm(figure, stance, kTrigger, rifle.trigger, aim);
+  aimArm(figure, stance, kSupport, rifle.support, aim);
+}
+
+std::array<double, 2> swivelsOntoFloor(const Figure& figure, Stance stance, double supportReach) {
+  const Rifle rifle = rifleOf(figure, stance, supportReach);
+  std::array<double, 2> swivels{};
+  for (const auto& [side, grip] : {std::pair{kTrigger, rifle.trigger}, {kSupport, rifle.support}}) {
+    figure.reach(stance, Role::shoulder, Role::elbow, Role::wrist, side, grip.wrist);
+    swivels[placeOf(side)] = swivelOntoFloor(figure, elbowCircle(figure, stance, side), grip.elbowSide);
+  }
+  return swivels;
 }
 
 namespace {
@@ -150,7 +169,7 @@ constexpr double kToesBent = 65.0;  ///< most that toes under a foot bend, below
 
 /// How far along its way from toes bent under a standing foot to a foot lying on its back a pitched foot is.
 double lying(const Quatd& foot) {
-  constexpr double begin = 0.2;  // cosine of the foot's pitch
+  constexpr double begin = 0.5;  // cosine of the foot's pitch
   return minimumJerk((begin - (foot * Vec3d::UnitZ()).z()) / (2.0 * begin));
 }
 
@@ -168,8 +187,11 @@ double footDepth(const Figure& figure, const Stance& stance, Side side) {
 /// Lifts a foot that would dip into the floor; bends the toes that stand on it.
 void settleFoot(const Figure& figure, Stance& stance, Side side) {
   const Quatd foot = stance.carry[figure.joint(Role::ankle, side).value];
-  const double depth = footDepth(figure, stance, side);
-  if (depth > 0.0) {
+  // The floor meets the foot softly: the first millimetres do not lift it in full, so that it is not struck.
+  const double soft = 0.0046 * figure.stature();
+  const double dip = std::max(0.0, footDepth(figure, stance, side));
+  const double depth = dip < soft ? 0.5 * dip * dip / soft : dip - 0.5 * soft;
+  if (depth > 1e-9) {
     const Vec3d ankle = figure.position(stance, Role::ankle, side);
     figure.reach(stance, Role::hip, Role::knee, Role::ankle, side, ankle + Vec3d(0.0, depth, 0.0));
     figure.layFoot(stance, side, foot);
@@ -265,11 +287,11 @@ Task kneelAim() {
             // The pelvis is turned, the legs are not: thigh and shank of the rear leg stand in one upright plane.
             back.hip.abduction *= 1.0 - s;
             back.knee.abduction *= 1.0 - s;
-            back.hip.axial = -turn * s;
+            back.hip.axial += s * (-turn - back.hip.axial);
             Leg& fore = attitude.legs[placeOf(kSupport)];
             fore.hip.flexion += s * (85.0 - fore.hip.flexion);
             fore.knee.flexion += s * (95.0 - fore.knee.flexion);
-            fore.hip.axial = turn * s;
+            fore.hip.axial += s * (turn - fore.hip.axial);
             Stance stance = figure.take(attitude);
             // The rear knee stands below its hip; its ankle lies behind it.
             const Vec3d rearHipPlace = kneeling - yaw * half;
@@ -287,7 +309,7 @@ Task kneelAim() {
             plantFoot(figure, stance, kSupport, frontAnkle, Quatd::Identity());
             plantFoot(figure, stance, kTrigger, rearAnkle, aboutX(pitch * step));
             const double reach = figure.stature() / 1.755 * supportReach;
-            aimRifle(figure, stance, {aim, reach, false});
+            aimRifle(figure, stance, {aim, reach, std::nullopt});
             return stance;
           }};
 }
@@ -393,34 +415,52 @@ ProneWay proneWay(const Figure& figure) {
 
 }  // namespace
 
-Task proneAim() {
-  return {"prone_aim", 7.0, 30.0, [](const Figure& figure, double u) {
-            const ProneWay way = proneWay(figure);
-            const double s = upHoldDown(u);
-            // One posture turns into the next, at rest in each.
-            constexpr double kneel = 0.36;
-            constexpr double fours = 0.66;
-            const double toKneel = minimumJerk(s / kneel);
-            const double toFours = minimumJerk((s - kneel) / (fours - kneel));
-            const double toProne = minimumJerk((s - fours) / (1.0 - fours));
-            const Attitude attitude = figure.rest() * (1.0 - toKneel) + way.kneeling * (toKneel - toFours) +
-                                      way.fours * (toFours - toProne) + way.prone * toProne;
-            Stance stance = figure.take(attitude);
-            // The lower knee is on the floor from kneeling onwards.
-            const double knees = std::min(figure.position(stance, Role::knee, Side::left).y(),
-                                          figure.position(stance, Role::knee, Side::right).y());
-            figure.moveAll(stance, {0.0, toKneel * (figure.floor() + figure.kneeHeight() - knees), 0.0});
-            // As long as it stands, the feet stay where they are, the heels rise; then they follow the legs.
-            for (const Side side : kSides) {
-              const Vec3d free = figure.position(stance, Role::ankle, side);
-              const Quatd foot = Quatd::Identity().slerp(toKneel, stance.carry[figure.joint(Role::ankle, side).value]);
-              const Vec3d ball = figure.ball(side);
-              const Vec3d onBall = figure.restPosition(Role::ankle, side) + ball - foot * ball;
-              plantFoot(figure, stance, side, onBall + toKneel * (free - onBall), foot);
-            }
-            const double reach =
-                figure.stature() / 1.755 * tableValue("prone_aim", "trigger hand to support hand", "distance");
-            aimRifle(figure, stance, {toProne, reach, true});
+namespace {
+
+/// Shares of the way from standing over kneeling and all fours to lying; each posture is at rest.
+struct ProneShares {
+  double kneel = 0.0;
+  double fours = 0.0;
+  double prone = 0.0;
+
+  explicit ProneShares(double s) {
+    constexpr double kneeling = 0.36;
+    constexpr double onFours = 0.66;
+    kneel = minimumJerk(s / kneeling);
+    fours = minimumJerk((s - kneeling) / (onFours - kneeling));
+    prone = minimumJerk((s - onFours) / (1.0 - onFours));
+  }
+};
+
+/// The stance on the way, arms not yet at the rifle.
+Stance onTheWay(const Figure& figure, const ProneWay& way, const ProneShares& share) {
+  Stance stance = figure.take(figure.rest() * (1.0 - share.kneel) + way.kneeling * (share.kneel - share.fours) +
+                              way.fours * (share.fours - share.prone) + way.prone * share.prone);
+  // The lower knee is on the floor from kneeling onwards.
+  const double knees = std::min(figure.position(stance, Role::knee, Side::left).y(),
+                                figure.position(stance, Role::knee, Side::right).y());
+  figure.moveAll(stance, {0.0, share.kneel * (figure.floor() + figure.kneeHeight() - knees), 0.0});
+  // As long as it stands, the balls of the feet stay where they are; then the feet follow the legs.
+  for (const Side side : kSides) {
+    const Vec3d free = figure.position(stance, Role::ankle, side);
+    const Quatd foot = Quatd::Identity().slerp(share.kneel, stance.carry[figure.joint(Role::ankle, side).value]);
+    const Vec3d ball = figure.ball(side);
+    const Vec3d onBall = figure.restPosition(Role::ankle, side) + ball - foot * ball;
+    plantFoot(figure, stance, side, onBall + share.kneel * (free - onBall), foot);
+  }
+  return stance;
+}
+
+}  // namespace
+
+Task proneAim(const Figure& figure) {
+  const ProneWay way = proneWay(figure);
+  const double reach = figure.stature() / 1.755 * tableValue("prone_aim", "trigger hand to support hand", "distance");
+  const auto swivels = swivelsOntoFloor(figure, onTheWay(figure, way, ProneShares(1.0)), reach);
+  return {"prone_aim", 9.0, 30.0, [=](const Figure& same, double u) {
+            const ProneShares share(upHoldDown(u));
+            Stance stance = onTheWay(same, way, share);
+            aimRifle(same, stance, {share.prone, reach, swivels});
             return stance;
           }};
 }
