@@ -208,7 +208,9 @@ void settleFoot(const Figure& figure, Stance& stance, Side side) {
 void plantFoot(const Figure& figure, Stance& stance, Side side, const Vec3d& ankle, const Quatd& foot) {
   constexpr double most = 19.0;  // a degree below the limit of the joint table
   const Vec3d ball = foot * figure.ball(side);
+  const Stance before = stance;
   const auto beyond = [&](double heelUp) {
+    stance = before;
     figure.reach(stance, Role::hip, Role::knee, Role::ankle, side, ankle + ball - aboutX(heelUp) * ball);
     figure.layFoot(stance, side, aboutX(heelUp) * foot);
     settleFoot(figure, stance, side);
@@ -216,16 +218,16 @@ void plantFoot(const Figure& figure, Stance& stance, Side side, const Vec3d& ank
     const Quatd bend = shank.conjugate() * figure.partTurn(stance, Role::ankle, side);
     return human::angles(Role::ankle, side, bend).flexion - most;
   };
-  if (beyond(0.0) <= 0.0) {
-    return;
-  }
-  double low = 0.0;
+  double low = -30.0;
   double high = 80.0;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 24; ++i) {
     const double middle = 0.5 * (low + high);
     (beyond(middle) > 0.0 ? low : high) = middle;
   }
-  beyond(high);
+  // It begins to rise a little before it must, so that it does so without a jerk.
+  constexpr double soft = 10.0;
+  const double eased = high < soft ? 0.25 * std::pow(std::max(0.0, high + soft), 2.0) / soft : high;
+  beyond(eased);
 }
 
 }  // namespace

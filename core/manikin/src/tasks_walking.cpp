@@ -16,7 +16,7 @@ constexpr int kKeys = 44;           ///< per cycle; even, so that half a cycle i
 constexpr double kToeOff = 0.62;    ///< share of the cycle a foot is on the ground
 constexpr double kFlatFrom = 0.12;  ///< the sole lies flat
 constexpr double kFlatUntil = 0.34;
-constexpr double kClearance = 0.014;  ///< by which the swinging foot is lifted further, fraction of stature
+constexpr double kClearance = 0.018;  ///< by which the swinging foot is lifted further, fraction of stature
 constexpr double kPi = std::numbers::pi;
 
 /// One side's angles over the cycle that begins with its heel's contact, and the trunk's.
@@ -232,8 +232,11 @@ class Walk {
       const Vec3d coming = at(1) - at(0);
       for (int own = stance + 1; own < kKeys; ++own) {
         const double share = minimumJerk((own - stance) / span);
-        at(own) =
-            (1.0 - share) * at(stance) + share * at(0) + runOut(own - stance) * leaving - runOut(kKeys - own) * coming;
+        // Measured toes clear the ground barely, and those of another skeleton may not.
+        const double arc = std::pow(std::sin(kPi * (own - stance) / span), 2.0);
+        const Vec3d clear(0.0, kClearance * figure_.stature() * arc, 0.0);
+        at(own) = clear + (1.0 - share) * at(stance) + share * at(0) + runOut(own - stance) * leaving -
+                  runOut(kKeys - own) * coming;
       }
     }
   }
