@@ -55,7 +55,12 @@ struct Aim {
 
 /// Lays hands, forearms and elbows to the rifle that the eye looks along.
 void aimRifle(const Figure& figure, Stance& stance, const Aim& aim);
-/// The swivels that lay the elbows of an aiming stance on the floor, or as near to it as they reach.
-std::array<double, 2> swivelsOntoFloor(const Figure& figure, Stance stance, double supportReach);
+
+/// How an aiming stance leans on both elbows.
+struct FloorRest {
+  double supportReach = 0.0;        ///< as wanted, or nearer where the support elbow would not reach the floor else
+  std::array<double, 2> swivels{};  ///< that lay the elbows on the floor, or as near to it as they come
+};
+FloorRest restOnElbows(const Figure& figure, const Stance& stance, double supportReach);
 
 }  // namespace lorica::manikin

@@ -115,14 +115,36 @@ void aimRifle(const Figure& figure, Stance& stance, const Aim& aim) {
   aimArm(figure, stance, kSupport, rifle.support, aim);
 }
 
-std::array<double, 2> swivelsOntoFloor(const Figure& figure, Stance stance, double supportReach) {
-  const Rifle rifle = rifleOf(figure, stance, supportReach);
-  std::array<double, 2> swivels{};
-  for (const auto& [side, grip] : {std::pair{kTrigger, rifle.trigger}, {kSupport, rifle.support}}) {
-    figure.reach(stance, Role::shoulder, Role::elbow, Role::wrist, side, grip.wrist);
-    swivels[placeOf(side)] = swivelOntoFloor(figure, elbowCircle(figure, stance, side), grip.elbowSide);
+FloorRest restOnElbows(const Figure& figure, const Stance& stance, double supportReach) {
+  FloorRest rest;
+  const auto reached = [&](Side side, double reach) {
+    Stance aiming = stance;
+    const Rifle rifle = rifleOf(figure, aiming, reach);
+    const Grip& grip = side == kTrigger ? rifle.trigger : rifle.support;
+    figure.reach(aiming, Role::shoulder, Role::elbow, Role::wrist, side, grip.wrist);
+    return elbowCircle(figure, aiming, side);
+  };
+  const auto touches = [&](double reach) {
+    const ElbowCircle circle = reached(kSupport, reach);
+    const double lowest = circle.centre.y() - std::hypot(circle.now.y(), circle.across.y());
+    return lowest <= figure.floor() + figure.elbowHeight();
+  };
+  rest.supportReach = supportReach;
+  if (!touches(supportReach)) {
+    double low = 0.4 * supportReach;
+    double high = supportReach;
+    for (int i = 0; i < 30; ++i) {
+      const double middle = 0.5 * (low + high);
+      (touches(middle) ? low : high) = middle;
+    }
+    rest.supportReach = low;
   }
-  return swivels;
+  const Rifle rifle = rifleOf(figure, stance, rest.supportReach);
+  for (const Side side : kSides) {
+    const Vec3d& wanted = side == kTrigger ? rifle.trigger.elbowSide : rifle.support.elbowSide;
+    rest.swivels[placeOf(side)] = swivelOntoFloor(figure, reached(side, rest.supportReach), wanted);
+  }
+  return rest;
 }
 
 namespace {
@@ -206,7 +228,9 @@ void settleFoot(const Figure& figure, Stance& stance, Side side) {
 /// Puts a foot down, its ankle at a place; where the shank would lean further over it than an ankle bends, the heel
 /// rises about the ball.
 void plantFoot(const Figure& figure, Stance& stance, Side side, const Vec3d& ankle, const Quatd& foot) {
-  constexpr double most = 19.0;  // a degree below the limit of the joint table
+  constexpr double soft = 10.0;  // degrees over which the heel begins to rise
+  // A degree below the limit of the joint table, or what the rig rests with.
+  const double most = std::max(19.0, figure.rest().legs[placeOf(side)].ankle.flexion + soft);
   const Vec3d ball = foot * figure.ball(side);
   const Stance before = stance;
   const auto beyond = [&](double heelUp) {
@@ -225,7 +249,6 @@ void plantFoot(const Figure& figure, Stance& stance, Side side, const Vec3d& ank
     (beyond(middle) > 0.0 ? low : high) = middle;
   }
   // It begins to rise a little before it must, so that it does so without a jerk.
-  constexpr double soft = 10.0;
   const double eased = high < soft ? 0.25 * std::pow(std::max(0.0, high + soft), 2.0) / soft : high;
   beyond(eased);
 }
@@ -458,11 +481,11 @@ Stance onTheWay(const Figure& figure, const ProneWay& way, const ProneShares& sh
 Task proneAim(const Figure& figure) {
   const ProneWay way = proneWay(figure);
   const double reach = figure.stature() / 1.755 * tableValue("prone_aim", "trigger hand to support hand", "distance");
-  const auto swivels = swivelsOntoFloor(figure, onTheWay(figure, way, ProneShares(1.0)), reach);
+  const FloorRest rest = restOnElbows(figure, onTheWay(figure, way, ProneShares(1.0)), reach);
   return {"prone_aim", 9.0, 30.0, [=](const Figure& same, double u) {
             const ProneShares share(upHoldDown(u));
             Stance stance = onTheWay(same, way, share);
-            aimRifle(same, stance, {share.prone, reach, swivels});
+            aimRifle(same, stance, {share.prone, rest.supportReach, rest.swivels});
             return stance;
           }};
 }
