@@ -63,6 +63,12 @@ Figure::Figure(const human::Skeleton& skeleton, const human::RoleMap& roles, con
   for (std::size_t p = 0; p < frames_.parts().size(); ++p) {
     partOf_[frames_.parts()[p].joint.value] = p;
   }
+  below_.resize(skeleton.size());
+  for (std::size_t j = 0; j < skeleton.size(); ++j) {
+    for (std::optional<JointIndex> above = JointIndex{j}; above; above = skeleton.joint(*above).parent) {
+      below_[above->value].push_back(j);
+    }
+  }
   double legs = 0.0;
   double ankles = 0.0;
   for (const Side side : kSides) {
@@ -227,15 +233,9 @@ Vec3d Figure::eye(const Stance& stance, Side side) const {
 
 void Figure::turnBelow(Stance& stance, JointIndex joint, const Quatd& turn) const {
   const Vec3d centre = stance.positions[joint.value];
-  std::vector<bool> below(skeleton_.size(), false);
-  below[joint.value] = true;
-  for (std::size_t j = joint.value; j < skeleton_.size(); ++j) {
-    const auto parent = skeleton_.joints()[j].parent;
-    below[j] = below[j] || (parent && below[parent->value]);
-    if (below[j]) {
-      stance.carry[j] = (turn * stance.carry[j]).normalized();
-      stance.positions[j] = centre + turn * (stance.positions[j] - centre);
-    }
+  for (const std::size_t j : below_[joint.value]) {
+    stance.carry[j] = (turn * stance.carry[j]).normalized();
+    stance.positions[j] = centre + turn * (stance.positions[j] - centre);
   }
 }
 

@@ -244,7 +244,7 @@ void plantFoot(const Figure& figure, Stance& stance, Side side, const Vec3d& ank
   };
   double low = -30.0;
   double high = 80.0;
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < 16; ++i) {
     const double middle = 0.5 * (low + high);
     (beyond(middle) > 0.0 ? low : high) = middle;
   }
@@ -360,11 +360,10 @@ void bendLegs(const Figure& figure, Attitude& attitude, const JointAngles& hip, 
 
 /// Pitch of the pelvis, between 70 and 110 degrees, at which the shoulders are as high as leaning upper arms lift them
 /// from elbows on the floor.
-double pronePitch(const Figure& figure, Attitude attitude) {
+double pronePitch(const Figure& figure, Attitude attitude, double armLean) {
   const double arm =
       (figure.restPosition(Role::shoulder, kSupport) - figure.restPosition(Role::elbow, kSupport)).norm();
-  const double wanted = figure.floor() + figure.elbowHeight() +
-                        arm * std::cos(radians(tableValue("prone_aim", "upper arm, both", "lean from vertical")));
+  const double wanted = figure.floor() + figure.elbowHeight() + arm * std::cos(radians(armLean));
   double low = 70.0;
   double high = 110.0;
   for (int i = 0; i < 40; ++i) {
@@ -377,7 +376,8 @@ double pronePitch(const Figure& figure, Attitude attitude) {
   return 0.5 * (low + high);
 }
 
-ProneWay proneWay(const Figure& figure) {
+/// \param armLean degrees from the vertical by which the upper arms lean; sets how high the chest is
+ProneWay proneWay(const Figure& figure, double armLean) {
   constexpr auto table = "prone_rifle";
   constexpr auto own = "prone_aim";
   constexpr auto two = "kneel_two_knees";
@@ -413,7 +413,7 @@ ProneWay proneWay(const Figure& figure) {
   prone.thoracic.flexion = -tableValue(table, "thoracic_total", "extension");
   prone.neck = {-tableValue(table, "cervical_total", "extension"), 0.0, tableValue(table, "head", "axial to stock")};
   prone.head.flexion = -tableValue(table, "C0-C1", "extension");
-  prone.pelvis.flexion = pronePitch(figure, prone);
+  prone.pelvis.flexion = pronePitch(figure, prone, armLean);
   // The thighs slope down from the hips to knees that lie on the floor.
   const double slope = std::asin(std::clamp((figure.pelvisHeight() - figure.kneeHeight()) / leg.thigh, -0.5, 0.5));
   const JointAngles hips{prone.pelvis.flexion - 90.0 + base::degrees(slope),
@@ -479,9 +479,17 @@ Stance onTheWay(const Figure& figure, const ProneWay& way, const ProneShares& sh
 }  // namespace
 
 Task proneAim(const Figure& figure) {
-  const ProneWay way = proneWay(figure);
   const double reach = figure.stature() / 1.755 * tableValue("prone_aim", "trigger hand to support hand", "distance");
-  const FloorRest rest = restOnElbows(figure, onTheWay(figure, way, ProneShares(1.0)), reach);
+  // Arms that are short for their trunk lie lower, up to 15 degrees more than the table's lean.
+  double lean = tableValue("prone_aim", "upper arm, both", "lean from vertical");
+  const double most = lean + 15.0;
+  ProneWay way = proneWay(figure, lean);
+  FloorRest rest = restOnElbows(figure, onTheWay(figure, way, ProneShares(1.0)), reach);
+  while (rest.supportReach < reach && lean < most) {
+    lean += 2.5;
+    way = proneWay(figure, lean);
+    rest = restOnElbows(figure, onTheWay(figure, way, ProneShares(1.0)), reach);
+  }
   return {"prone_aim", 9.0, 30.0, [=](const Figure& same, double u) {
             const ProneShares share(upHoldDown(u));
             Stance stance = onTheWay(same, way, share);
