@@ -182,23 +182,16 @@ class Walk {
             figure_.restHips().z()};
   }
 
-  /// The ground runs as the standing feet do, seen from the hips: the slope of the line through where they would be
-  /// flat (least squares over both stances).
+  /// The ground runs as fast as the flat feet do, seen from the hips.
   void findSpeed() {
-    duration_ = tableValue("walk", "cycle", "duration");
-    const int stance = stanceKeys();
-    const double middle = 0.5 * stance;
     double run = 0.0;
-    double spread = 0.0;
-    for (const Side side : kSides) {
-      const FootPath& path = paths_[placeOf(side)];
-      for (int own = 0; own <= stance; ++own) {
-        const auto k = static_cast<std::size_t>(own);
-        run += (own - middle) * (path.ankle[k].z() - rolled(side, path.pitch[k]).z());
-        spread += (own - middle) * (own - middle);
-      }
+    const int from = static_cast<int>(std::ceil(kFlatFrom * kKeys));
+    const int until = static_cast<int>(std::floor(kFlatUntil * kKeys));
+    for (const FootPath& path : paths_) {
+      run += 0.5 * (path.ankle[static_cast<std::size_t>(from)].z() - path.ankle[static_cast<std::size_t>(until)].z());
     }
-    speed_ = -run / spread * kKeys / duration_;
+    duration_ = tableValue("walk", "cycle", "duration");
+    speed_ = run / (phaseOf(until - from) * duration_);
   }
 
   /// Moves the ankles onto a ground that runs evenly; between toe-off and contact the corrections blend.
