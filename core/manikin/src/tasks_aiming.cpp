@@ -263,6 +263,10 @@ Task kneelAim() {
   };
   const double lumbar = pose(table, "lumbar", "flexion");
   const double frontDorsiflexion = pose(table, "front ankle", "dorsiflexion");
+  const double frontHipBend = pose(table, "front hip", "flexion");
+  const double frontKneeBend = pose(table, "front knee", "flexion");
+  const double shoulder = pose(own, "shoulder, both", "flexion");
+  const double elbow = pose(own, "elbow, both", "flexion");
   const double rearHip = pose(table, "rear hip", "flexion");
   const double rearKnee = pose(table, "rear knee", "flexion");
   const double rearPlantarflexion = pose(table, "rear ankle", "plantarflexion");
@@ -281,8 +285,8 @@ Task kneelAim() {
             attitude.neck = neck * s;
             const double aim = minimumJerk((s - 0.35) / 0.65);
             for (Arm& arm : attitude.arms) {
-              arm.shoulder = {45.0 * s, 0.0, 0.0};
-              arm.elbow.flexion = 80.0 * s;
+              arm.shoulder = {shoulder * s, 0.0, 0.0};
+              arm.elbow.flexion = elbow * s;
               arm.fingers = fingers * aim;
             }
             addRest(figure, attitude, restLeft(u));
@@ -314,8 +318,8 @@ Task kneelAim() {
             back.knee.abduction *= 1.0 - s;
             back.hip.axial += s * (-turn - back.hip.axial);
             Leg& fore = attitude.legs[placeOf(kSupport)];
-            fore.hip.flexion += s * (85.0 - fore.hip.flexion);
-            fore.knee.flexion += s * (95.0 - fore.knee.flexion);
+            fore.hip.flexion += s * (frontHipBend - fore.hip.flexion);
+            fore.knee.flexion += s * (frontKneeBend - fore.knee.flexion);
             fore.hip.axial += s * (turn - fore.hip.axial);
             Stance stance = figure.take(attitude);
             // The rear knee stands below its hip; its ankle lies behind it.
@@ -431,8 +435,8 @@ ProneWay proneWay(const Figure& figure, double armLean) {
     (depth > 0.0 ? low : high) = knee;
   }
   for (Arm& arm : prone.arms) {
-    arm.shoulder = {110.0, 20.0, 0.0};
-    arm.elbow.flexion = 80.0;
+    arm.shoulder = {tableValue(own, "shoulder, both", "flexion"), tableValue(own, "shoulder, both", "abduction"), 0.0};
+    arm.elbow.flexion = tableValue(own, "elbow, both", "flexion");
     arm.fingers = tableValue(own, "fingers, both", "flexion");
   }
   return way;

@@ -242,12 +242,13 @@ Task lateralTwist() {
   const Curve thoracicTurn = tableCurve(table, "thoracic_total", "axial");
   const Curve thoracicFlexion = tableCurve(table, "thoracic_total", "flexion");
   const Curve hips = tableCurve("lateral_bend", "hip, both", "frontal shift (abd one side/add other)");
+  const Curve neckBend = tableCurve(motion, "cervical_total", "lateral bend");
   const Curve abduction = tableCurve(motion, "shoulder, both", "abduction");
   return {motion, 4.0, 30.0, [=](const Figure& figure, double u) {
             Attitude attitude;
             attitude.lumbar = {0.0, lumbarBend.at(u), lumbarTurn.at(u)};
             attitude.thoracic = {thoracicFlexion.at(u), thoracicBend.at(u), thoracicTurn.at(u)};
-            attitude.neck = {0.0, 0.4 * lumbarBend.at(u), 0.0};
+            attitude.neck = {0.0, neckBend.at(u), 0.0};
             setArms(attitude, {0.0, abduction.at(u), 0.0}, 0.0);
             addRest(figure, attitude, restLeft(u));
             standOnTable(figure, attitude, u, 0.0, 0.0);

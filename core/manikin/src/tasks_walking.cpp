@@ -34,7 +34,10 @@ struct Gait {
   Curve lumbarExtension = tableCycle("walking_gait", "lumbar_total", "extension(+)");
   double armBack = tableValue("walk", "shoulder, right", "flexion");
   double armFore = tableCurve("walk", "shoulder, right", "flexion").at(0.5);
+  double armsOut = tableValue("walk", "shoulder, both", "abduction");
   double elbow = tableValue("walk", "elbow, both", "flexion");
+  double elbowSwing = tableValue("walk", "elbow, both", "flexion swing");
+  double fingers = tableValue("walk", "fingers, both", "flexion");
 
   /// What changes its sign from one step to the next, and what does not, freed of the measured person's asymmetry.
   static double odd(const Curve& curve, double phase) { return 0.5 * (curve.at(phase) - curve.at(phase + 0.5)); }
@@ -49,9 +52,9 @@ struct Gait {
       const double own = side == Side::right ? phase : phase + 0.5;
       const double swing = std::cos(2.0 * kPi * own);
       Arm& arm = a.arms[placeOf(side)];
-      arm.shoulder = {0.5 * (armBack + armFore) + 0.5 * (armBack - armFore) * swing, 7.0, 0.0};
-      arm.elbow.flexion = elbow - 8.0 * swing;
-      arm.fingers = 15.0;
+      arm.shoulder = {0.5 * (armBack + armFore) + 0.5 * (armBack - armFore) * swing, armsOut, 0.0};
+      arm.elbow.flexion = elbow - elbowSwing * swing;
+      arm.fingers = fingers;
       Leg& leg = a.legs[placeOf(side)];
       leg.hip = {hipFlexion.at(own), -hipAdduction.at(own), hipRotation.at(own)};
       leg.knee.flexion = knee.at(own);
