@@ -416,6 +416,33 @@ TEST(TaskClips, DoWithoutOptionalJoints) {
   }
 }
 
+TEST(TaskClips, AreWithinTheLimitsOfWomenAndMen) {
+  for (const human::Person& person : {human::Person{human::Sex::male, 1.755, 84.6}, {human::Sex::female, 1.55, 55.0}}) {
+    const Body body = makeBody(person, {2});
+    const Actor who(body.skeleton, human::findRoles(body.skeleton), measuredOn(body));
+    for (const Role role : {Role::neck, Role::head}) {
+      EXPECT_TRUE(who.roles().joint(role)) << static_cast<int>(role);
+    }
+    EXPECT_TRUE(who.roles().joint(Role::forearmTwist, Side::left));
+    for (const human::Clip& clip : who.clips()) {
+      for (std::size_t key = 0; key < clip.channels.front().times.size(); key += 5) {
+        const double seconds = clip.channels.front().times[key];
+        const human::Pose pose = human::sample(clip, who.skeleton(), seconds);
+        for (const auto& excess : human::limitExcesses(who.frames(), who.skeleton(), pose, 0.1)) {
+          ADD_FAILURE() << person.stature << " m, " << clip.name << " at " << seconds << " s: " << excess.joint << " "
+                        << excess.direction << " " << excess.angle << " of " << excess.limit;
+        }
+      }
+    }
+    const double floor = measuredOn(body).floor.value();
+    EXPECT_NEAR(who.at("kneel_aim", 0.5, Role::knee, Side::right).y() - floor, 0.031 * person.stature, 0.006);
+    for (const Side side : kSides) {
+      EXPECT_NEAR(who.fingertip("toe_touch", 0.5, side, person.stature).y() - floor, 0.012 * person.stature, 0.03);
+      EXPECT_LT((who.at("squat", 0.5, Role::ankle, side) - who.atRest(Role::ankle, side)).norm(), 2e-3);
+    }
+  }
+}
+
 TEST(TaskOptions, OfABodyAreItsStatureAndItsSoles) {
   Body body{{human::Sex::male, 1.755, 84.6}, plain().skin, plain().weights, plain().skeleton};
   const TaskOptions options = measuredOn(body);

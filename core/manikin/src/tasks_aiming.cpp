@@ -90,7 +90,7 @@ double swivelOntoFloor(const Figure& figure, const ElbowCircle& circle, const Ve
 }
 
 void aimArm(const Figure& figure, Stance& stance, Side side, const Grip& grip, const Aim& aim) {
-  const Vec3d wrist = figure.position(stance, Role::wrist, side);
+  const Vec3d& wrist = figure.position(stance, Role::wrist, side);
   figure.reach(stance, Role::shoulder, Role::elbow, Role::wrist, side, wrist + aim.weight * (grip.wrist - wrist));
   const double swivel =
       aim.swivels ? (*aim.swivels)[placeOf(side)] : swivelTowards(elbowCircle(figure, stance, side), grip.elbowSide);
@@ -214,7 +214,7 @@ void settleFoot(const Figure& figure, Stance& stance, Side side) {
   const double dip = std::max(0.0, footDepth(figure, stance, side));
   const double depth = dip < soft ? 0.5 * dip * dip / soft : dip - 0.5 * soft;
   if (depth > 1e-9) {
-    const Vec3d ankle = figure.position(stance, Role::ankle, side);
+    const Vec3d& ankle = figure.position(stance, Role::ankle, side);
     figure.reach(stance, Role::hip, Role::knee, Role::ankle, side, ankle + Vec3d(0.0, depth, 0.0));
     figure.layFoot(stance, side, foot);
   }
@@ -294,7 +294,7 @@ Task kneelAim() {
             const LegLengths front = lengthsOf(figure, kSupport);
             const LegLengths rear = lengthsOf(figure, kTrigger);
             const double thighLean = tilt - rearHip;
-            const Vec3d frontAnkle = figure.restPosition(Role::ankle, kSupport);
+            const Vec3d& frontAnkle = figure.restPosition(Role::ankle, kSupport);
             const double hipHeight = figure.floor() + figure.kneeHeight() + rear.thigh * std::cos(radians(thighLean));
             const double kneeHeight = frontAnkle.y() + front.shank * std::cos(radians(frontDorsiflexion));
             const double rise = std::clamp((hipHeight - kneeHeight) / front.thigh, -0.9, 0.9);
