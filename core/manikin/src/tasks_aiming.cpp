@@ -330,7 +330,7 @@ Task kneelAim() {
                 figure.restPosition(Role::ankle, kTrigger).x(),
                 figure.floor() + figure.kneeHeight() + rear.shank * std::sin(shankRise),
                 rearHipPlace.z() - rear.thigh * std::sin(radians(thighLean)) - rear.shank * std::cos(shankRise));
-            const Vec3d rearStand = figure.restPosition(Role::ankle, kTrigger);
+            const Vec3d& rearStand = figure.restPosition(Role::ankle, kTrigger);
             const double step = minimumJerk(s / 0.75);
             Vec3d rearAnkle = rearStand + step * (behind - rearStand);
             // The foot is lifted on its way back.
@@ -471,7 +471,7 @@ Stance onTheWay(const Figure& figure, const ProneWay& way, const ProneShares& sh
   figure.moveAll(stance, {0.0, share.kneel * (figure.floor() + figure.kneeHeight() - knees), 0.0});
   // As long as it stands, the balls of the feet stay where they are; then the feet follow the legs.
   for (const Side side : kSides) {
-    const Vec3d free = figure.position(stance, Role::ankle, side);
+    const Vec3d& free = figure.position(stance, Role::ankle, side);
     const Quatd foot = Quatd::Identity().slerp(share.kneel, stance.carry[figure.joint(Role::ankle, side).value]);
     const Vec3d ball = figure.ball(side);
     const Vec3d onBall = figure.restPosition(Role::ankle, side) + ball - foot * ball;
