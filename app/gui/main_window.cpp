@@ -253,9 +253,11 @@ void MainWindow::connectAll() {
   connect(&engine_, &jobs::FrameEngine::failed, this,
           [this](const QString& text) { statusBar()->showMessage(text, 1000 * statusSeconds); });
   timeline_->setBusyCheck([this] { return engine_.isBusy(); });
-  settle_.setSingleShot(true);
-  settle_.setInterval(250);
-  connect(&settle_, &QTimer::timeout, this, [this] { view_->setMoving(false); });
+  connect(view_, &viewport::SceneView::drawn, this, [this](double ms) {
+    if (const auto& frame = view_->frame()) {
+      timing_->setText(tr("pose %1 ms, draw %2 ms").arg(frame->engineMs, 0, 'f', 1).arg(ms, 0, 'f', 0));
+    }
+  });
 
   connect(&loader_, &jobs::StudyLoader::started, this, [this] {
     connect(loader_.job(), &jobs::Job::progressed, this, &MainWindow::updateJobs);
@@ -550,7 +552,7 @@ void MainWindow::requestFrame() {
     request.shotSource = shots_.source;
     request.shotLimit = shots_.limit;
   }
-  view_->setMoving(true);
+  view_->expectFrame();
   engine_.request(std::move(request));
 }
 
@@ -559,8 +561,6 @@ void MainWindow::takeFrame(const std::shared_ptr<const jobs::Frame>& frame) {
     return;
   }
   view_->showFrame(frame);
-  timing_->setText(tr("pose %1 ms, draw %2 ms").arg(frame->engineMs, 0, 'f', 1).arg(view_->drawMs(), 0, 'f', 0));
-  settle_.start();
 }
 
 void MainWindow::updateTitle() {

@@ -120,7 +120,6 @@ class MainWindow : public QMainWindow {
   QLabel* working_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QToolButton* cancel_ = nullptr;
-  QTimer settle_;  ///< after the last frame of a motion the view is drawn in full
 };
 
 }  // namespace lorica::gui
