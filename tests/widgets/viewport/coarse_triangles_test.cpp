@@ -71,15 +71,20 @@ TEST(CoarseTriangles, KeepAClosedSurfaceClosed) {
 }
 
 TEST(CoarseTriangles, MoreToleranceLeavesFewer) {
-  const std::size_t fine = coarse(ball(), {0.0, 0.0005}).triangles.size();
-  const std::size_t rough = coarse(ball(), {0.0, 0.01}).triangles.size();
+  const std::size_t fine = coarse(ball(), {0.0, 0, 0.0005}).triangles.size();
+  const std::size_t rough = coarse(ball(), {0.0, 0, 0.01}).triangles.size();
   EXPECT_LT(rough, fine);
 }
 
 TEST(CoarseTriangles, AreNoFewerThanTheShareThatIsAskedFor) {
-  const std::size_t kept = coarse(ball(), {0.5, 1.0}).triangles.size();
+  const std::size_t kept = coarse(ball(), {0.5, 0, 1.0}).triangles.size();
   EXPECT_GE(kept, ball().triangles.size() / 2 - 2);
   EXPECT_LT(kept, ball().triangles.size());
+}
+
+TEST(CoarseTriangles, OfASmallMeshAreTheMesh) {
+  const TriangleMesh small = geometry::ellipsoid(Vec3d::Zero(), Vec3d::Ones(), 2);
+  EXPECT_EQ(coarse(small).triangles, small.triangles);
 }
 
 TEST(CoarseTriangles, AreTheSameEveryTime) {
@@ -93,7 +98,7 @@ TEST(CoarseTriangles, OfNothingAreNothing) {
 TEST(CoarseTriangles, OfAMeshWithoutExtentAreTheMesh) {
   const geometry::Positions point(3, geometry::Vec3f(1.0F, 2.0F, 3.0F));
   const std::vector<Triangle> one{{0, 1, 2}};
-  EXPECT_EQ(coarseTriangles(point, one), one);
+  EXPECT_EQ(coarseTriangles(point, one, {0.0, 0, 0.001}), one);
 }
 
 }  // namespace

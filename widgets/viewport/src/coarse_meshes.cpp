@@ -59,8 +59,10 @@ void CoarseMeshes::make() {
   job_ = std::make_unique<jobs::Job>(QString(), [study = study_, missing, made](const base::Progress& progress) {
     for (const geometry::TriangleMesh* mesh : missing) {
       progress.check();
-      made->emplace(mesh->triangles.data(), std::make_shared<const std::vector<geometry::Triangle>>(
-                                                coarseTriangles(mesh->positions, mesh->triangles)));
+      std::vector<geometry::Triangle> coarse = coarseTriangles(mesh->positions, mesh->triangles);
+      const bool fewer = coarse.size() < mesh->triangles.size();
+      made->emplace(mesh->triangles.data(),
+                    fewer ? std::make_shared<const std::vector<geometry::Triangle>>(std::move(coarse)) : nullptr);
     }
   });
   connect(job_.get(), &jobs::Job::finished, this, [this, made] {

@@ -25,7 +25,7 @@ class CoarseMeshes : public QObject {
   void setStudy(std::shared_ptr<const analysis::LoadedStudy> study);
   /// Starts to make what is missing; made() follows.
   void make();
-  /// Coarse ones for the triangles of a mesh of the study; null while there are none.
+  /// Coarse ones for the triangles of a mesh of the study; null while there are none, and for a small mesh.
   Triangles of(std::span<const geometry::Triangle> triangles) const;
 
  Q_SIGNALS:

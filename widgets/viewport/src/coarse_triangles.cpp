@@ -2,20 +2,23 @@
 
 #include <meshoptimizer.h>
 
+#include <algorithm>
+
 namespace lorica::viewport {
 
 std::vector<geometry::Triangle> coarseTriangles(std::span<const geometry::Vec3f> positions,
                                                 std::span<const geometry::Triangle> triangles,
                                                 const CoarseOptions& options) {
-  if (triangles.empty()) {
-    return {};
+  const std::size_t wanted =
+      std::max(options.least, static_cast<std::size_t>(options.share * static_cast<double>(triangles.size())));
+  if (triangles.size() <= wanted) {
+    return {triangles.begin(), triangles.end()};
   }
   const float* vertices = positions.front().data();
   const float extent = meshopt_simplifyScale(vertices, positions.size(), sizeof(geometry::Vec3f));
   if (!(extent > 0.0F)) {
     return {triangles.begin(), triangles.end()};
   }
-  const auto wanted = static_cast<std::size_t>(options.share * static_cast<double>(triangles.size()));
   std::vector<geometry::Triangle> coarse(triangles.size());
   const std::size_t indices = meshopt_simplify(coarse.front().data(), triangles.front().data(), 3 * triangles.size(),
                                                vertices, positions.size(), sizeof(geometry::Vec3f), 3 * wanted,

@@ -8,8 +8,9 @@
 namespace lorica::viewport {
 
 struct CoarseOptions {
-  double share = 0.02;        ///< of the triangles to keep, if the tolerance allows so few
-  double tolerance = 0.0025;  ///< how far the surface may move, metres: about a pixel when a person fills the window
+  double share = 0.05;        ///< of the triangles to keep, if the tolerance allows so few
+  std::size_t least = 2000;   ///< triangles to keep at any rate: small meshes cost little, and keep their shading
+  double tolerance = 0.0015;  ///< how far the surface may move, metres: below a pixel when a person fills the window
 };
 
 /// Fewer triangles over the same vertices that look like the mesh from afar: for drawing while something moves. Edges
