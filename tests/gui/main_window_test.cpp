@@ -5,6 +5,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QFile>
 #include <QMessageBox>
@@ -343,6 +344,21 @@ TEST_F(Window, ARunGivesTheTableOfTheCommandLineByteForByte) {
   for (const char* name : {"/summary.csv", "/trials.csv", "/provenance.json"}) {
     EXPECT_EQ(bytesOf(own + name), bytesOf(out + name)) << name;
   }
+}
+
+TEST_F(Window, TheViewHasAllTheRoomUntilThereAreResults) {
+  open();
+  const auto dock = [this](const char* name) { return window_.findChild<QDockWidget*>(name); };
+  EXPECT_FALSE(dock("results")->isVisible());
+  EXPECT_FALSE(dock("chart")->isVisible());
+  const int height = window_.view().height();
+  ASSERT_EQ(window_.runs().start(), QString());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.runs().job() == nullptr; }, patience));
+  EXPECT_TRUE(dock("results")->isVisible());
+  EXPECT_TRUE(dock("chart")->isVisible());
+  QCoreApplication::processEvents();
+  EXPECT_LT(window_.view().height(), height);
+  EXPECT_GT(window_.view().height(), height / 3) << "the body is still seen";
 }
 
 TEST_F(Window, ACancelledRunKeepsWhatWasFinishedAndTheWindowIsUsable) {

@@ -5,12 +5,12 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QMouseEvent>
-#include <QStyleFactory>
 #include <QTest>
 #include <algorithm>
 #include <cstdio>
 #include <vector>
 
+#include "look.h"
 #include "main_window.h"
 
 namespace {
@@ -91,7 +91,7 @@ class Meter {
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  lorica::gui::useOwnLook();
   if (argc != 3) {
     std::fprintf(stderr, "usage: lorica_drawing STUDY CLIP\n");
     return 2;

@@ -9,11 +9,11 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QMouseEvent>
-#include <QStyleFactory>
 #include <QTest>
 #include <QTimer>
 #include <cstdio>
 
+#include "look.h"
 #include "main_window.h"
 
 namespace {
@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
   QElapsedTimer sinceStart;
   sinceStart.start();
   QApplication application(argc, argv);
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  lorica::gui::useOwnLook();
   if (argc < 4) {
     std::fprintf(stderr, "usage: lorica_pictures OUT_FOLDER PREFIX STUDY CLIP@SECONDS...\n");
     return 2;
@@ -133,6 +133,7 @@ int main(int argc, char** argv) {
   photographer.take("shot_lines_after", &window.shotLines());
   for (auto* dock : window.findChildren<QDockWidget*>()) {
     if (dock->objectName() == "problems") {
+      dock->show();
       dock->raise();
     }
   }

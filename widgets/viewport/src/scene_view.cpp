@@ -56,7 +56,8 @@ void dressAxes(vtkAxesActor* axes) {
   axes->SetXAxisLabelText("left");
   axes->SetYAxisLabelText("up");
   axes->SetZAxisLabelText("front");
-  axes->SetNormalizedLabelPosition(1.3, 1.25, 1.3);
+  // The axis that most often points at the viewer has its name farther out, clear of the others.
+  axes->SetNormalizedLabelPosition(1.3, 1.25, 2.1);
   axes->SetShaftTypeToCylinder();
   axes->SetCylinderRadius(0.03);
   axes->SetConeRadius(0.25);
