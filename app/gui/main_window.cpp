@@ -255,6 +255,7 @@ void MainWindow::connectAll() {
       resultsDock_->hide();
       chartDock_->hide();
     }
+    problemsDock_->setHidden(problemsDock_->isHidden() || !document_.hasStudy());
     updatePages();
   });
   connect(&document_, &StudyDocument::loadedChanged, this, [this] {

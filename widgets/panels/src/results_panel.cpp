@@ -14,6 +14,7 @@
 #include <QStackedWidget>
 #include <QStyle>
 #include <QTableView>
+#include <QTimer>
 #include <algorithm>
 
 #include "flow_layout.h"
@@ -316,6 +317,12 @@ void ResultsPanel::takeSelection() {
   if (first.isValid()) {
     table_->scrollTo(first);
   }
+}
+
+void ResultsPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  // Only what is laid out can scroll to the selection.
+  QTimer::singleShot(0, this, &ResultsPanel::takeSelection);
 }
 
 void ResultsPanel::giveSelection() {

@@ -12,7 +12,7 @@ namespace {
 
 // Depth layers of what is translucent: more are right, fewer are fast.
 constexpr int fullPeels = 4;
-constexpr int coarsePeels = 2;
+constexpr int coarsePeels = 1;
 
 }  // namespace
 
@@ -62,7 +62,9 @@ void Pane::restyle(const document::StudyDocument& document) {
 }
 
 void Pane::drawCoarsely(const CoarseMeshes* meshes) {
-  renderer_->SetMaximumNumberOfPeels(meshes == nullptr ? fullPeels : coarsePeels);
+  const bool full = meshes == nullptr;
+  renderer_->SetMaximumNumberOfPeels(full ? fullPeels : coarsePeels);
+  renderer_->SetUseFXAA(full);
   for (const auto& presenter : presenters_) {
     presenter->drawCoarsely(meshes);
   }

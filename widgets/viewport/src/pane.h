@@ -25,7 +25,7 @@ class Pane {
   /// \param title of the pane; empty: none
   void showFrame(const std::shared_ptr<const jobs::Frame>& frame, const QString& title);
   void restyle(const document::StudyDocument& document);
-  /// Draws less of everything, and fewer depth layers of what is translucent; null: all there is.
+  /// Draws less of everything, fewer depth layers of what is translucent, edges unsmoothed; null: all there is.
   void drawCoarsely(const CoarseMeshes* meshes);
 
  private:

@@ -57,7 +57,7 @@ void dressAxes(vtkAxesActor* axes) {
   axes->SetYAxisLabelText("up");
   axes->SetZAxisLabelText("front");
   // The axis that most often points at the viewer has its name farther out, clear of the others.
-  axes->SetNormalizedLabelPosition(1.3, 1.25, 2.1);
+  axes->SetNormalizedLabelPosition(1.3, 1.25, 2.7);
   axes->SetShaftTypeToCylinder();
   axes->SetCylinderRadius(0.03);
   axes->SetConeRadius(0.25);
