@@ -171,6 +171,7 @@ TEST_F(Window, WhereDrawingIsSlowItIsCoarseInMotionAndInFullAfterRest) {
 TEST_F(Window, WhereDrawingIsFastItIsAlwaysInFull) {
   open();
   window_.view().setPatience(1e9);
+  picture();  // nothing waits to be drawn any more
   QSignalSpy drawn(&window_.view(), &viewport::SceneView::drawn);
   window_.document().showPose("toe_touch@2");
   waitForFrame("toe_touch@2");
@@ -182,7 +183,8 @@ TEST_F(Window, WhereDrawingIsFastItIsAlwaysInFull) {
 TEST_F(Window, TurningTheCameraIsCoarseUntilTheButtonIsLetGo) {
   open();
   window_.view().setPatience(0.0);
-  QTest::qWait(500);
+  picture();
+  QTest::qWait(500);  // until there are coarse triangles, and all rests
   auto* canvas = window_.view().findChild<QWidget*>();
   const QPoint middle = canvas->rect().center();
   QSignalSpy drawn(&window_.view(), &viewport::SceneView::drawn);
