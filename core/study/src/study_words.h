@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "lorica/study/reserved_names.h"
 #include "lorica/study/study.h"
 
 namespace lorica::study {
@@ -59,11 +60,6 @@ inline constexpr auto classWords =
     std::to_array<Word<std::string_view>>({{"essential", "essential"}, {"desirable", "desirable"}});
 /// Sources are points so far.
 inline constexpr auto sourceTypeWords = std::to_array<Word<std::string_view>>({{"point", "point"}});
-
-/// Rows of the results that no organ or armor piece may be named like.
-inline constexpr auto reservedStructures = std::to_array<std::string_view>({"body", "miss", "armor", "organs"});
-inline constexpr std::string_view unarmored = "unarmored";
-inline constexpr std::string_view restPose = "rest";
 
 /// The text of a choice. \pre the value is in the table
 template <class Value, std::size_t N>
