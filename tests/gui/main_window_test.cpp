@@ -309,8 +309,10 @@ TEST_F(Window, TwoModelsStandSideBySideFromTheSameSide) {
 
 TEST_F(Window, RecolouringAnOrganChangesItsPixelsAndUndoBringsThemBack) {
   open();
-  for (const char* hidden : {"front_plate", "back_plate"}) {
-    commands::setVisible(window_.document(), hidden, false);
+  for (const study::ArmorSystem& system : window_.document().study().systems) {
+    for (const study::ArmorPiece& piece : system.pieces) {
+      commands::setVisible(window_.document(), piece.name, false);
+    }
   }
   const std::string before = bytes();
   const int blueBefore = ofColour(picture(), 2);
@@ -509,7 +511,7 @@ TEST_F(Window, AClickSelectsWhatIsSeenThere) {
   bool found = false;
   for (int y = canvas->height() / 6; y < canvas->height() / 2 && !found; y += 10) {
     QTest::mouseClick(const_cast<QWidget*>(canvas), Qt::LeftButton, {}, {canvas->width() / 2, y});
-    found = window_.document().selection() == ItemRef{ItemKind::piece, "front_plate"};
+    found = window_.document().selection() == ItemRef{ItemKind::piece, "plate_front"};
   }
   EXPECT_TRUE(found);
 }

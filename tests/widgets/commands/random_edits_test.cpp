@@ -137,7 +137,7 @@ class RandomEditor {
 
   void addOrgan() {
     study::Study after = study();
-    after.organs.push_back({fresh("organ "), {study::Builtin{"plain/heart"}, {}}, "", {}, {}, {}});
+    after.organs.push_back({fresh("organ "), {study::Builtin{"human/heart"}, {}}, "", {}, {}, {}});
     replaceStudy(document_, after, "Add organ");
   }
   void addSystem() {

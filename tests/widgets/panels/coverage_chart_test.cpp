@@ -24,7 +24,7 @@ class CoverageChartTest : public testing::Test {
     testsupport::addSampleRun(document_);
     chart_.setRun(document_.runs().back());
     chart_.setPose("toe_touch@2");
-    chart_.setSystem("plates");
+    chart_.setSystem("full_torso");
     chart_.resize(900, 500);
     chart_.show();
     QCoreApplication::processEvents();
@@ -32,7 +32,7 @@ class CoverageChartTest : public testing::Test {
 
   const ResultRow& rowOf(const std::string& organ, const std::string& model) const {
     for (const ResultRow& row : chart_.run()->summary) {
-      if (row.structure == organ && row.model == model && row.pose == "toe_touch@2" && row.system == "plates") {
+      if (row.structure == organ && row.model == model && row.pose == "toe_touch@2" && row.system == "full_torso") {
         return row;
       }
     }
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Measures, EachMeasure,
 
 TEST_F(CoverageChartTest, SaysWhatItShows) {
   EXPECT_TRUE(chart_.figure().title().contains("toe_touch@2"));
-  EXPECT_TRUE(chart_.figure().title().contains("plates"));
+  EXPECT_TRUE(chart_.figure().title().contains("full_torso"));
   EXPECT_TRUE(chart_.figure().axes(Qt::Vertical).front()->titleText().contains("%")) << "the unit";
   chart_.setPose("rest");
   EXPECT_TRUE(chart_.figure().title().contains("rest"));

@@ -104,11 +104,11 @@ TEST(PropertiesPanel, IsEmptyWithoutASelection) {
 TEST_F(Properties, LookingAtThingsEditsNothing) {
   testsupport::addSampleRun(document_);
   QSignalSpy edits(&document_, &document::StudyDocument::studyChanged);
-  for (const ItemRef& item :
-       {ItemRef{}, ItemRef{ItemKind::body, ""}, ItemRef{ItemKind::organ, "heart"}, ItemRef{ItemKind::system, "plates"},
-        ItemRef{ItemKind::piece, "front_plate"}, ItemRef{ItemKind::pose, "rest"},
-        ItemRef{ItemKind::pose, "toe_touch@2"}, ItemRef{ItemKind::source, "front"}, ItemRef{ItemKind::run, "Run 1"},
-        ItemRef{ItemKind::region, document_.loaded()->body->body().regions.names.front()}}) {
+  for (const ItemRef& item : {ItemRef{}, ItemRef{ItemKind::body, ""}, ItemRef{ItemKind::organ, "heart"},
+                              ItemRef{ItemKind::system, "full_torso"}, ItemRef{ItemKind::piece, "plate_front"},
+                              ItemRef{ItemKind::pose, "rest"}, ItemRef{ItemKind::pose, "toe_touch@2"},
+                              ItemRef{ItemKind::source, "front"}, ItemRef{ItemKind::run, "Run 1"},
+                              ItemRef{ItemKind::region, document_.loaded()->body->body().regions.names.front()}}) {
     document_.select(item);
     ASSERT_NE(panel_.form(), nullptr) << item.name;
     EXPECT_EQ(document_.selection(), item);
@@ -199,7 +199,7 @@ TEST_F(Properties, ColourGoesBackToTheDefault) {
 }
 
 TEST_F(Properties, WhatAPieceIsMadeOfIsKeptForTheRecordAndCanBeTakenBack) {
-  select(ItemKind::piece, "front_plate");
+  select(ItemKind::piece, "plate_front");
   const auto piece = [this]() -> const study::ArmorPiece& { return document_.study().systems[0].pieces[0]; };
   const study::Study before = document_.study();
   auto* material = editor<QLineEdit>("material");
@@ -218,7 +218,7 @@ TEST_F(Properties, WhatAPieceIsMadeOfIsKeptForTheRecordAndCanBeTakenBack) {
 }
 
 TEST_F(Properties, EveryEditorOfAPiecePushesOneCommand) {
-  select(ItemKind::piece, "front_plate");
+  select(ItemKind::piece, "plate_front");
   expectChoiceEdit("carriage", "skinned");
   auto* parts = editor<QPlainTextEdit>("non_protecting");
   expectOneEdit(
