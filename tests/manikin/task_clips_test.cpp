@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lorica/base/units.h"
-#include "lorica/manikin/plain_human.h"
+#include "lorica/manikin/human.h"
 #include "rigs.h"
 
 namespace lorica::manikin {
@@ -22,13 +22,13 @@ using test::Vec3d;
 constexpr std::array<Side, 2> kSides{Side::left, Side::right};
 constexpr double kHeight = 1.755;
 
-const PlainHuman& plain() {
-  static const PlainHuman human = plainHuman();
-  return human;
+const Body& builtIn() {
+  static const Body body = keptHuman({}, {}).body;
+  return body;
 }
 
 const Actor& actor() {
-  static const Actor built(plain().skeleton);
+  static const Actor built(builtIn().skeleton);
   return built;
 }
 
@@ -337,7 +337,7 @@ TEST(Walk, StaysNearTheMeasuredAngles) {
 
 /// T-pose: the arms of the A-pose lifted by 60 degrees.
 human::Skeleton tPose() {
-  const human::Skeleton& a = plain().skeleton;
+  const human::Skeleton& a = builtIn().skeleton;
   return test::restingIn(
       a, human::turnedPose(a, {{*a.find("glenohumeral_L"), {0, 0, 60}}, {*a.find("glenohumeral_R"), {0, 0, -60}}},
                            Vec3d::Zero()));
@@ -361,7 +361,7 @@ TEST(TaskClips, ReachTheSamePostureOnTheTPoseRig) {
 
 TEST(TaskClips, DoNotDependOnLocalFrames) {
   for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) {
-    const Actor other(test::withRandomFrames(plain().skeleton, seed));
+    const Actor other(test::withRandomFrames(builtIn().skeleton, seed));
     for (const human::Clip& clip : actor().clips()) {
       for (const double u : {0.0, 0.13, 0.25, 0.5, 0.77}) {
         // Keys agree; between keys the rotations of a chain of other frames are blended alike.
@@ -374,7 +374,7 @@ TEST(TaskClips, DoNotDependOnLocalFrames) {
 TEST(TaskClips, DoNotDependOnWhereTheBodyStandsAndFaces) {
   const Quatd turn(Eigen::AngleAxisd(base::radians(-90.0), Vec3d::UnitY()));
   const Vec3d shift(1.5, -0.4, 2.0);
-  const Actor other(test::hungBelow(plain().skeleton, turn, shift));
+  const Actor other(test::hungBelow(builtIn().skeleton, turn, shift));
   for (const human::Clip& clip : actor().clips()) {
     for (const double u : {0.2, 0.5}) {
       const auto here = actor().positions(actor().pose(clip.name, u));
@@ -387,7 +387,7 @@ TEST(TaskClips, DoNotDependOnWhereTheBodyStandsAndFaces) {
 }
 
 TEST(TaskClips, ScaleWithTheBody) {
-  const Actor small(test::scaled(plain().skeleton, 0.85));
+  const Actor small(test::scaled(builtIn().skeleton, 0.85));
   for (const human::Clip& clip : actor().clips()) {
     for (const double u : {0.2, 0.5}) {
       EXPECT_LT(largestGap(actor(), small, clip.name, u, 0.85), 1e-6) << clip.name;
@@ -404,7 +404,7 @@ TEST(TaskClips, DoWithoutOptionalJoints) {
   bare.set(Role::neck, Side::middle, {});
   bare.set(Role::head, Side::middle, {});
   bare.set(Role::thoracic, Side::middle, {});
-  const Actor poor(plain().skeleton, bare);
+  const Actor poor(builtIn().skeleton, bare);
   // The lower back takes what the chest would have.
   EXPECT_NEAR(poor.sum("toe_touch", 0.5, Role::lumbar).flexion, 57.0, 0.01);
   EXPECT_NEAR(poor.angles("squat", 0.5, Role::knee, Side::left).flexion, 110.0, 1.0);
@@ -444,11 +444,10 @@ TEST(TaskClips, AreWithinTheLimitsOfWomenAndMen) {
 }
 
 TEST(TaskOptions, OfABodyAreItsStatureAndItsSoles) {
-  Body body{{human::Sex::male, 1.755, 84.6}, plain().skin, plain().weights, plain().skeleton};
-  const TaskOptions options = measuredOn(body);
+  const TaskOptions options = measuredOn(builtIn());
   EXPECT_EQ(options.stature, 1.755);
   EXPECT_NEAR(options.floor.value(), 0.0, 0.002);
-  const Actor measured(plain().skeleton, actor().roles(), options);
+  const Actor measured(builtIn().skeleton, actor().roles(), options);
   EXPECT_NEAR(measured.at("kneel_aim", 0.5, Role::knee, Side::right).y(), *options.floor + 0.031 * 1.755, 0.004);
 }
 

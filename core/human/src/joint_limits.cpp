@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "lorica/base/csv_table.h"
+#include "lorica/base/table.h"
 #include "lorica/base/error.h"
 
 namespace lorica::human {
@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, kSpineLevels> kLevelNames{
     "spine_C3C4",   "spine_C2C3",  "spine_C1C2", "head_C0C1"};
 
 std::vector<JointRangeRow> readTable() {
-  const base::CsvTable table(humanTables().front().second);
+  const base::Table table(humanTables().front().second, "joint_limits.csv");
   std::vector<JointRangeRow> rows;
   rows.reserve(table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row) {

@@ -6,26 +6,12 @@
 #include <span>
 #include <utility>
 
-#include "lorica/base/csv_table.h"
 #include "lorica/base/error.h"
+#include "tables.h"
 
 namespace lorica::manikin {
 
-std::span<const std::pair<std::string_view, std::string_view>> manikinTables();
-
 namespace {
-
-const base::CsvTable& motions() {
-  static const base::CsvTable table = [] {
-    for (const auto& [name, text] : manikinTables()) {
-      if (name == "motions") {
-        return base::CsvTable(text);
-      }
-    }
-    throw base::CallerError("the motion table is embedded");
-  }();
-  return table;
-}
 
 struct Keys {
   std::vector<double> times;
@@ -33,7 +19,7 @@ struct Keys {
 };
 
 Keys keysOf(std::string_view motion, std::string_view joint, std::string_view axis) {
-  const base::CsvTable& table = motions();
+  const base::Table& table = motionTable();
   Keys keys;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (table.text(row, "motion") == motion && table.text(row, "joint") == joint && table.text(row, "axis") == axis) {

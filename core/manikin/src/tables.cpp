@@ -27,6 +27,11 @@ const base::Table& anthropometryTable() {
   return table;
 }
 
+const base::Table& motionTable() {
+  static const base::Table table = embedded("motions");
+  return table;
+}
+
 const base::Table& jointTable() {
   static const base::Table table = embedded("joints");
   return table;

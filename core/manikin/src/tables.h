@@ -9,6 +9,7 @@ namespace lorica::manikin {
 
 const base::Table& anthropometryTable();
 const base::Table& jointTable();
+const base::Table& motionTable();
 const base::Table& organTable();
 const base::Table& vesselTable();
 
