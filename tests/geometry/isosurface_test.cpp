@@ -119,5 +119,16 @@ TEST(Isosurface, RefusesGridsItCannotMake) {
   EXPECT_THROW(isosurface(field, cubeAround(Vec3d::Zero(), 1.0), 1e-3), base::CallerError);
 }
 
+TEST(Isosurface, ThatSkipsWhatIsFarIsTheSameAtAnyNumberOfThreads) {
+  const auto field = [](const Vec3d& p) { return p.norm() - 0.5; };
+  const Box3d box = cubeAround(Vec3d::Zero(), 0.63);
+  const TriangleMesh whole = isosurface(field, box, 0.02);
+  for (const int threads : {1, 3}) {
+    const TriangleMesh sparse = isosurface(field, box, 0.02, 1.0, {threads});
+    EXPECT_TRUE(sparse.positions == whole.positions);
+    EXPECT_TRUE(sparse.triangles == whole.triangles);
+  }
+}
+
 }  // namespace
 }  // namespace lorica::geometry

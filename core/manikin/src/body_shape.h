@@ -45,10 +45,6 @@ double trunkField(const Vec3d& mirrored);
 double armField(const Vec3d& mirrored);
 double legField(const Vec3d& mirrored);
 
-inline Vec3d mirroredToLeft(const Vec3d& p) {
-  return {std::abs(p.x()), p.y(), p.z()};
-}
-
 geometry::TriangleMesh skinSurface();
 
 }  // namespace lorica::manikin

@@ -25,6 +25,11 @@ inline double smoothUnion(double a, double b, double fillet) {
   return std::min(a, b) - 0.25 * fillet * overlap * overlap;
 }
 
+/// The left counterpart of a point.
+inline Vec3d mirroredToLeft(const Vec3d& p) {
+  return {std::abs(p.x()), p.y(), p.z()};
+}
+
 inline double smoothIntersection(double a, double b, double fillet) {
   return -smoothUnion(-a, -b, fillet);
 }

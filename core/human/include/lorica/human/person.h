@@ -7,7 +7,7 @@ namespace lorica::human {
 
 enum class Sex { male, female };
 
-/// The median soldier of ANSUR II where nothing else is said.
+/// The median man of ANSUR II where nothing else is said.
 struct Person {
   Sex sex = Sex::male;
   double stature = 1.755;  ///< m
