@@ -216,7 +216,7 @@ namespace {
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Weights spread over this length of skin, metres for a stature of 1.755.
-constexpr double spread = 0.07;
+constexpr double spread = 0.085;
 
 /// Weights as rows of all joints, each summing to 1.
 Rows rowsOf(std::span<const human::Influence> influences, std::size_t stride) {
