@@ -54,6 +54,7 @@ inline const char* const fullStudy = R"({
   "trials": 7,
   "seed": 18446744073709551615,
   "site_spacing_mm": 25,
+  "skinning": "linear",
   "display": [
     {"structure": "heart", "visible": false, "colour": "#c02818", "opacity": 0.5},
     {"structure": "body", "visible": true}

@@ -240,6 +240,7 @@ Study makeStudy() {
   study.trials = oneOf<std::uint32_t>({1, 5, 100000});
   study.seed = *rc::gen::arbitrary<std::uint64_t>();
   study.siteSpacing = anyMetresOfMillimetres(5.0, 500.0);
+  study.skinning = oneOf<Skinning>({Skinning::rotationCentres, Skinning::linear});
   study.displays = several<Display>(anyDisplay);
   return study;
 }

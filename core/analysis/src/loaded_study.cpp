@@ -472,8 +472,9 @@ bool usesThesisModel(const study::Study& study) {
 }
 
 bool sameBody(const LoadedStudy& result, const LoadedStudy& previous) {
-  return result.study.siteSpacing == previous.study.siteSpacing && (previous.thesisSites || !result.thesisSites) &&
-         result.study.person == previous.study.person && result.study.jointRoles == previous.study.jointRoles &&
+  return result.study.siteSpacing == previous.study.siteSpacing && result.study.skinning == previous.study.skinning &&
+         (previous.thesisSites || !result.thesisSites) && result.study.person == previous.study.person &&
+         result.study.jointRoles == previous.study.jointRoles &&
          sameMesh(result.study.human, result.file, previous.study.human, previous.file);
 }
 
@@ -501,6 +502,7 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
     parenting::RigOptions rig;
     rig.siteSpacing = result.study.siteSpacing;
     rig.thesisSites = result.thesisSites;
+    rig.skinning = result.study.skinning;
     result.body = std::make_shared<const parenting::BodyRig>(std::move(body), rig, threads, progress.part(0.25, 0.5));
   }
   loadOrgans(loading, progress.part(0.5, 0.85));

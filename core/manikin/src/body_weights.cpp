@@ -1,13 +1,29 @@
 #include "body_weights.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+
+#include "lorica/geometry/smoothing.h"
 
 namespace lorica::manikin {
 
 namespace {
 
 constexpr std::size_t kInfluences = 10;  ///< before the strongest four are kept
+
+/// From 0 at `low` to 1 at `high`, straight but for rounded ends: at its steepest 1.25 over the width, where smoothStep
+/// has 1.5. Skin folds over itself where weights change faster than one over (angle times distance from the joint).
+double ramp(double low, double high, double x) {
+  constexpr double round = 0.2;
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  const double end = 2.0 * round * (1.0 - round);
+  if (t < round) {
+    return t * t / end;
+  }
+  return t > 1.0 - round ? 1.0 - (1.0 - t) * (1.0 - t) / end : (t - 0.5 * round) / (1.0 - round);
+}
 
 /// What the joints have of a vertex; shares of nothing are left out.
 class Shares {
@@ -46,7 +62,7 @@ class Weigher {
       return shares;
     }
     // Where the arm begins to have a share, the trunk's has already moved up to the thorax and the collar bone.
-    constexpr double begin = 0.3;
+    constexpr double begin = 0.15;
     const double near = armShare(mirrored, trunkField - armField);
     const double arm = std::max(near - begin, 0.0) / (1.0 - begin);
     const double thorax = axilla_ - 0.03 * size_;
@@ -85,7 +101,7 @@ class Weigher {
     }
     for (std::uint32_t bone = jPelvis; bone < jHead; ++bone) {
       if (height <= middle(bone + 1)) {
-        const double upper = smoothStep(middle(bone), middle(bone + 1), height);
+        const double upper = (height - middle(bone)) / (middle(bone + 1) - middle(bone));
         shares.add(bone, whole * (1.0 - upper));
         shares.add(bone + 1, whole * upper);
         return;
@@ -103,7 +119,7 @@ class Weigher {
 
   void addArm(Shares& shares, const Vec3d& mirrored, bool right, double whole) const {
     const auto& at = joints_.at;
-    const double forearm = smoothStep(-0.045 * size_, 0.045 * size_, past(mirrored, jGlenohumeral, jElbow, jWrist));
+    const double forearm = ramp(-0.07 * size_, 0.07 * size_, past(mirrored, jGlenohumeral, jElbow, jWrist));
     // The skin of the forearm turns with the hand the more the nearer it is.
     const Vec3d lower = at[jWrist] - at[jElbow];
     const double along = (mirrored - at[jElbow]).dot(lower) / lower.squaredNorm();
@@ -152,7 +168,7 @@ class Weigher {
 
   void addLeg(Shares& shares, const Vec3d& mirrored, bool right, double whole) const {
     const auto& at = joints_.at;
-    const double shank = smoothStep(-0.065 * size_, 0.065 * size_, past(mirrored, jHip, jKnee, jAnkle));
+    const double shank = ramp(-0.10 * size_, 0.10 * size_, past(mirrored, jHip, jKnee, jAnkle));
     const double foot = smoothStep(-0.035 * size_, 0.025 * size_, at[jAnkle].y() - mirrored.y()) * shank;
     // Below the ankle bone the heel takes over from the talus.
     const double sole = smoothStep(0.0, 0.04 * size_, at[jAnkle].y() - mirrored.y()) * foot;
@@ -165,12 +181,13 @@ class Weigher {
     shares.add(sided(jToe, right), whole * toes);
   }
 
-  /// Share of the arm: beyond the shoulder joint, and nearer to the arm than to the flank.
+  /// Share of the arm: from the top of the shoulder to where the deltoid ends, beyond the shoulder joint, and nearer to
+  /// the arm than to the flank.
   double armShare(const Vec3d& mirrored, double nearerToArm) const {
     const auto& at = joints_.at;
     const Vec3d direction = (at[jElbow] - at[jGlenohumeral]).normalized();
     const double along = (mirrored - at[jGlenohumeral]).dot(direction);
-    return smoothStep(-0.05 * size_, 0.06 * size_, along) * smoothStep(-0.06 * size_, 0.06 * size_, nearerToArm);
+    return ramp(-0.12 * size_, 0.18 * size_, along) * ramp(-0.10 * size_, 0.10 * size_, nearerToArm);
   }
 
   /// Share of the leg: below the fold that rises from the crotch to the iliac crest. The skin between the legs belongs
@@ -180,7 +197,9 @@ class Weigher {
     const double fold = joint.y() - 0.005 * size_ + 0.5 * (mirrored.x() - joint.x());
     const double between = std::max(smoothStep(0.0, 0.06 * size_, mirrored.x()),
                                     smoothStep(0.0, 0.05 * size_, crotch_ - 0.04 * size_ - mirrored.y()));
-    return smoothStep(-0.08 * size_, 0.08 * size_, fold - mirrored.y()) * between;
+    // Wider in front, where the skin is further from the joint that folds it.
+    const double width = 0.15 * size_ + 0.6 * std::max(mirrored.z() - joint.z(), 0.0);
+    return ramp(-width, width, fold - mirrored.y()) * between;
   }
 
   const BodyJoints& joints_;
@@ -189,6 +208,98 @@ class Weigher {
   double crotch_;
   double axilla_;
 };
+
+}  // namespace
+
+namespace {
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Weights spread over this length of skin, metres for a stature of 1.755.
+constexpr double spread = 0.085;
+
+/// Weights as rows of all joints, each summing to 1.
+Rows rowsOf(std::span<const human::Influence> influences, std::size_t stride) {
+  Rows rows = Rows::Zero(static_cast<Eigen::Index>(influences.size() / stride), kAllJoints);
+  for (std::size_t i = 0; i < influences.size(); ++i) {
+    rows(static_cast<Eigen::Index>(i / stride), influences[i].joint) += influences[i].weight;
+  }
+  for (Eigen::Index v = 0; v < rows.rows(); ++v) {
+    rows.row(v) /= rows.row(v).sum();
+  }
+  return rows;
+}
+
+/// How far a vertex takes part in spreading: hands, feet, head and upper neck keep their own narrow folds.
+double partInSpreading(const Rows& rows, Eigen::Index v) {
+  constexpr std::uint32_t handEnd = jLittle2 + 1;
+  constexpr std::uint32_t footEnd = jToe + 1;
+  double apart = 0.0;
+  for (std::uint32_t j = jC3C4; j <= jJaw; ++j) {
+    apart += rows(v, j);
+  }
+  for (const std::uint32_t side : {0U, kSided}) {
+    apart += rows(v, jEye + side) + rows.row(v).segment(jWrist + side, handEnd - jWrist).sum() +
+             rows.row(v).segment(jAnkle + side, footEnd - jAnkle).sum();
+  }
+  return std::clamp(1.0 - 4.0 * apart, 0.0, 1.0);
+}
+
+/// Gives the shares of a leg that have crossed the middle back to the pelvis.
+void keepLegsApart(Rows& rows, Eigen::Index v, double x) {
+  const auto give = [&](std::uint32_t joint) {
+    rows(v, jPelvis) += rows(v, joint);
+    rows(v, joint) = 0.0;
+  };
+  for (const std::uint32_t joint : {jHip, jKnee}) {
+    if (x <= 0.0) {
+      give(joint);
+    }
+    if (x >= 0.0) {
+      give(rightOf(joint));
+    }
+  }
+}
+
+/// Evens out how fast weights change along the skin: where several rules meet, their product is steeper than each.
+void spreadAlongSkin(Rows& rows, const geometry::TriangleMesh& skin, double length, base::Threads threads) {
+  const geometry::SurfaceNeighbours neighbours = geometry::surfaceNeighbours(skin);
+  Eigen::VectorXd part(rows.rows());
+  for (Eigen::Index v = 0; v < rows.rows(); ++v) {
+    part[v] = 0.5 * partInSpreading(rows, v);
+  }
+  Rows next = rows;
+  for (std::size_t step = 0; step < neighbours.stepsFor(length); ++step) {
+    base::parallelFor(skin.positions.size(), 512, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        const auto row = static_cast<Eigen::Index>(v);
+        if (part[row] == 0.0) {
+          continue;
+        }
+        next.row(row) = (1.0 - part[row]) * rows.row(row);
+        for (std::size_t e = neighbours.first[v]; e < neighbours.first[v + 1]; ++e) {
+          next.row(row) += part[row] * neighbours.share[e] * rows.row(neighbours.vertex[e]);
+        }
+        keepLegsApart(next, row, static_cast<double>(skin.positions[v].x()));
+      }
+    });
+    rows.swap(next);
+  }
+}
+
+/// The strongest four of a vertex less the fifth, so that a joint's weight is nought where it comes to be the fifth.
+std::array<human::Influence, 4> strongestOf(const Rows& rows, Eigen::Index v) {
+  std::array<human::Influence, kAllJoints> all;
+  for (std::uint32_t j = 0; j < kAllJoints; ++j) {
+    all[j] = {j, rows(v, j)};
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.weight > b.weight; });
+  std::array<human::Influence, 4> strongest;
+  for (std::size_t k = 0; k < 4; ++k) {
+    strongest[k] = {all[k].joint, all[k].weight - all[4].weight};
+  }
+  return strongest;
+}
 
 }  // namespace
 
@@ -203,7 +314,14 @@ human::SkinWeights bodyWeights(const geometry::TriangleMesh& skin, const Anthrop
                 influences.begin() + static_cast<std::ptrdiff_t>(v * kInfluences));
     }
   });
-  return human::normaliseWeights(influences, kInfluences, 4).weights;
+  Rows rows = rowsOf(influences, kInfluences);
+  spreadAlongSkin(rows, skin, spread * sizes.person().stature / 1.755, threads);
+  std::vector<human::Influence> strongest;
+  for (Eigen::Index v = 0; v < rows.rows(); ++v) {
+    const auto four = strongestOf(rows, v);
+    strongest.insert(strongest.end(), four.begin(), four.end());
+  }
+  return human::normaliseWeights(strongest, 4, 4).weights;
 }
 
 }  // namespace lorica::manikin

@@ -4,6 +4,7 @@
 
 #include "lorica/base/units.h"
 #include "lorica/study/study_file.h"
+#include "study_words.h"
 
 namespace lorica::study {
 
@@ -57,6 +58,7 @@ std::string provenanceText(const Provenance& provenance) {
   for (const Provenance::SourceRecord& source : provenance.sources) {
     json["sources"].push_back(sourceJson(source));
   }
+  json["skinning"] = wordFor(provenance.study.skinning, skinningWords);
   json["interior_sites"] = provenance.interiorSites;
   json["collapsed_sites"] = provenance.collapsedSites;
   json["runs"] = Json::array();

@@ -448,6 +448,9 @@ Study parseStudy(std::string_view json, const std::string& file) {
   if (const Node spacing = root["site_spacing_mm"]; spacing.present()) {
     study.siteSpacing = spacing.number({5.0, 500.0, true, "a spacing in mm from 5 to 500"}) / 1000.0;
   }
+  if (const Node skinning = root["skinning"]; skinning.present()) {
+    study.skinning = skinning.choice(skinningWords);
+  }
   return study;
 }
 

@@ -13,9 +13,9 @@
 
 namespace lorica::study {
 
-inline constexpr auto studyKeys =
-    std::to_array<std::string_view>({"lorica_study", "name", "description", "human", "organs", "armor", "poses",
-                                     "run_poses", "sources", "models", "trials", "seed", "site_spacing_mm", "display"});
+inline constexpr auto studyKeys = std::to_array<std::string_view>(
+    {"lorica_study", "name", "description", "human", "organs", "armor", "poses", "run_poses", "sources", "models",
+     "trials", "seed", "site_spacing_mm", "skinning", "display"});
 inline constexpr auto humanKeys =
     std::to_array<std::string_view>({"file", "sha256", "units", "up", "builtin", "parts", "sex", "stature_m", "mass_kg",
                                      "joint_roles"});
@@ -51,6 +51,8 @@ inline constexpr auto modelWords = std::to_array<Word<OrganModel>>({{"static_joi
                                                                     {"static_skin", OrganModel::staticSkin},
                                                                     {"dynamic_thesis", OrganModel::dynamicThesis},
                                                                     {"dynamic", OrganModel::dynamic}});
+inline constexpr auto skinningWords =
+    std::to_array<Word<Skinning>>({{"rotation_centres", Skinning::rotationCentres}, {"linear", Skinning::linear}});
 inline constexpr auto unitWords = std::to_array<Word<base::LengthUnit>>({{"m", base::LengthUnit::metre},
                                                                          {"cm", base::LengthUnit::centimetre},
                                                                          {"mm", base::LengthUnit::millimetre},

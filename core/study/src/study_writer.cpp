@@ -242,6 +242,9 @@ Json studyJson(const Study& study) {
   if (study.siteSpacing != defaults.siteSpacing) {
     root["site_spacing_mm"] = millimetres(study.siteSpacing);
   }
+  if (study.skinning != defaults.skinning) {
+    root["skinning"] = wordFor(study.skinning, skinningWords);
+  }
   putList(root, "display", study.displays, displayJson);
   return root;
 }

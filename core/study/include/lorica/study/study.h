@@ -47,6 +47,7 @@ struct MeshSource {
 /// How the control points of an organ are laid out. The file keeps only what the layout uses.
 using LatticeSettings = viscera::LatticeOptions;
 using armor::Carriage;
+using human::Skinning;
 using shotline::Sampler;
 using viscera::OrganModel;
 
@@ -143,7 +144,8 @@ struct Study {
   std::vector<OrganModel> models{OrganModel::staticJoint, OrganModel::dynamic};
   std::uint32_t trials = 5;
   std::uint64_t seed = 1;
-  double siteSpacing = 0.04;      ///< metres between interior sites
+  double siteSpacing = 0.04;  ///< metres between interior sites
+  Skinning skinning = Skinning::rotationCentres;
   std::vector<Display> displays;  ///< each structure at most once
   bool operator==(const Study&) const = default;
 };
