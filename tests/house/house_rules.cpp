@@ -18,7 +18,7 @@ const std::vector<ModuleRule>& moduleRules() {
       {"parenting", {"raycast", "human"}},
       {"viscera", {"parenting"}},
       {"armor", {"parenting"}},
-      {"manikin", {"viscera", "armor"}},
+      {"manikin", {"stats", "viscera", "armor"}},
       {"shotline", {"raycast", "stats"}},
       {"threat", {"geometry"}},
       {"study", {"manikin", "shotline", "threat", "io"}},
