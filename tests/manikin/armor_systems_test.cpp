@@ -11,6 +11,8 @@
 #include <optional>
 #include <set>
 
+#include "lorica/base/files.h"
+#include "lorica/base/table.h"
 #include "lorica/geometry/closest_point.h"
 #include "lorica/geometry/intersections.h"
 #include "lorica/geometry/measures.h"
@@ -137,9 +139,9 @@ std::string bodyName(const testing::TestParamInfo<int>& which) {
 }
 INSTANTIATE_TEST_SUITE_P(Of, ArmorOnBodies, testing::Values(0, 1, 2), bodyName);
 
-TEST_P(ArmorOnBodies, IsMadeOfSoundWellShapedSurfaces) {
+void expectSoundSurfaces(const Dressed& who) {
   for (const std::string system : {"full_torso", "plate_carrier", "helmet"}) {
-    for (const ArmorPiece& piece : systemOf(who_, system).pieces) {
+    for (const ArmorPiece& piece : systemOf(who, system).pieces) {
       const geometry::MeshAudit audit = geometry::audit(piece.mesh);
       EXPECT_TRUE(audit.closed()) << piece.name;
       EXPECT_EQ(audit.components.size(), 1U) << piece.name;
@@ -158,22 +160,22 @@ TEST_P(ArmorOnBodies, IsMadeOfSoundWellShapedSurfaces) {
   }
 }
 
-TEST_P(ArmorOnBodies, NeverCutsTheSkinAtRest) {
+void expectClearOfSkin(const Dressed& who) {
   for (const std::string system : {"full_torso", "plate_carrier", "helmet"}) {
-    for (const ArmorPiece& piece : systemOf(who_, system).pieces) {
-      EXPECT_TRUE(geometry::intersections(piece.mesh, who_.body.skin, kTwo).empty()) << piece.name;
+    for (const ArmorPiece& piece : systemOf(who, system).pieces) {
+      EXPECT_TRUE(geometry::intersections(piece.mesh, who.body.skin, kTwo).empty()) << piece.name;
       double least = 1.0;
       for (const geometry::Vec3f& position : piece.mesh.positions) {
-        least = std::min(least, who_.skin.signedDistance(position.cast<double>()));
+        least = std::min(least, who.skin.signedDistance(position.cast<double>()));
       }
       EXPECT_GT(least, 0.001) << piece.name;
     }
   }
 }
 
-TEST_P(ArmorOnBodies, OfOneSystemDoesNotCutItself) {
+void expectPiecesApart(const Dressed& who) {
   for (const std::string name : {"full_torso_helmet", "plate_carrier_helmet"}) {
-    const ArmorSystem& system = systemOf(who_, name);
+    const ArmorSystem& system = systemOf(who, name);
     for (std::size_t a = 0; a < system.pieces.size(); ++a) {
       for (std::size_t b = a + 1; b < system.pieces.size(); ++b) {
         EXPECT_TRUE(geometry::intersections(system.pieces[a].mesh, system.pieces[b].mesh, kTwo).empty())
@@ -183,15 +185,15 @@ TEST_P(ArmorOnBodies, OfOneSystemDoesNotCutItself) {
   }
 }
 
-TEST_P(ArmorOnBodies, LiesCloseToTheSkinWhereItIsSoft) {
+void expectCloseToSkin(const Dressed& who) {
   for (const std::string system : {"full_torso", "plate_carrier"}) {
-    for (const ArmorPiece& piece : systemOf(who_, system).pieces) {
+    for (const ArmorPiece& piece : systemOf(who, system).pieces) {
       if (!soft(piece)) {
         continue;
       }
       std::vector<double> distances;
       for (std::size_t v = 0; v < piece.mesh.positions.size() / 2; ++v) {
-        distances.push_back(who_.skin.signedDistance(piece.mesh.positions[v].cast<double>()));
+        distances.push_back(who.skin.signedDistance(piece.mesh.positions[v].cast<double>()));
       }
       std::sort(distances.begin(), distances.end());
       EXPECT_GT(distances.front(), 0.0015) << piece.name;
@@ -219,15 +221,44 @@ TEST_P(ArmorOnBodies, WeighsItsArealDensityTimesItsArea) {
   }
 }
 
-TEST_P(ArmorOnBodies, IsAlikeOnBothSides) {
+void expectBothSidesAlike(const Dressed& who) {
   for (const std::string name : {"side", "shoulder", "side_plate"}) {
-    const ArmorPiece& left = pieceOf(who_, "full_torso", name + "_left");
-    const ArmorPiece& right = pieceOf(who_, "full_torso", name + "_right");
+    const ArmorPiece& left = pieceOf(who, "full_torso", name + "_left");
+    const ArmorPiece& right = pieceOf(who, "full_torso", name + "_right");
     EXPECT_NEAR(left.area, right.area, 0.03 * left.area) << name;
     const Vec3d l = geometry::centroid(left.mesh);
     const Vec3d r = geometry::centroid(right.mesh);
     EXPECT_GT(l.x(), 0.0) << name;
     EXPECT_LT((l - Vec3d(-r.x(), r.y(), r.z())).norm(), 0.004) << name;
+  }
+}
+
+TEST_P(ArmorOnBodies, IsMadeOfSoundWellShapedSurfaces) {
+  expectSoundSurfaces(who_);
+}
+TEST_P(ArmorOnBodies, NeverCutsTheSkinAtRest) {
+  expectClearOfSkin(who_);
+}
+TEST_P(ArmorOnBodies, OfOneSystemDoesNotCutItself) {
+  expectPiecesApart(who_);
+}
+TEST_P(ArmorOnBodies, LiesCloseToTheSkinWhereItIsSoft) {
+  expectCloseToSkin(who_);
+}
+TEST_P(ArmorOnBodies, IsAlikeOnBothSides) {
+  expectBothSidesAlike(who_);
+}
+
+TEST(ArmorOnMadeBodies, FitsASmallWomanAndALargeMan) {
+  for (const human::Person& person :
+       {personAtPercentile(human::Sex::female, 5.0), personAtPercentile(human::Sex::male, 95.0)}) {
+    SCOPED_TRACE(person.sex == human::Sex::female ? "a small woman" : "a large man");
+    const Dressed who(makeBody(person, kTwo));
+    expectSoundSurfaces(who);
+    expectClearOfSkin(who);
+    expectPiecesApart(who);
+    expectCloseToSkin(who);
+    expectBothSidesAlike(who);
   }
 }
 
@@ -289,6 +320,25 @@ TEST(ArmorSizes, GrowWithThePerson) {
   EXPECT_DOUBLE_EQ(pieceOf(man(), "full_torso", "vest_front").arealDensity, 5.0);
   EXPECT_NE(pieceOf(man(), "full_torso", "vest_front").source.find("from memory, unverified"), std::string::npos);
   EXPECT_NE(pieceOf(man(), "full_torso", "plate_front").source.find("verified in page seen"), std::string::npos);
+}
+
+TEST(Helmet, HasAboutTheAreaOfItsSizeInTheTable) {
+  const base::Table table(base::readFile(std::string(LORICA_SOURCE_DIR) + "/resources/tables/armor.csv"), "armor.csv");
+  const ArmorPiece& helmet = pieceOf(man(), "helmet", "helmet");
+  bool found = false;
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    const std::string size = "size " + table.text(r, "size_or_group") + ";";
+    if (table.text(r, "item") != "ACH" || helmet.source.find(size) == std::string::npos) {
+      continue;
+    }
+    if (table.text(r, "quantity") == "outer shell area approx") {
+      found = true;
+      EXPECT_NEAR(helmet.area, 1e-4 * table.number(r, "value"), 0.12 * 1e-4 * table.number(r, "value"));
+    } else if (table.text(r, "quantity") == "mass") {
+      EXPECT_DOUBLE_EQ(helmet.mass, table.number(r, "value"));
+    }
+  }
+  EXPECT_TRUE(found);
 }
 
 TEST(Helmet, StandsOffTheHeadEvenlyAndWeighsLikeAShell) {
