@@ -55,7 +55,7 @@ Outline heightOver(std::vector<Layer> below, double loose) {
     for (const Layer& layer : below) {
       const double there = smoothStep(-0.028, -0.004, layer.outline(p));
       if (there > 0.0) {
-        height = std::max(height, there * (layer.height(p) + layer.thickness + kGap));
+        height = std::max(height, loose + there * (layer.height(p) + layer.thickness + kGap - loose));
       }
     }
     return height;
