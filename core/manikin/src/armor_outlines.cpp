@@ -34,7 +34,8 @@ double outsideEllipse(double x, double y, double rx, double ry) {
 
 constexpr double kCollarGap = 0.022;  ///< from the neck to a vest's neck line
 constexpr double kSideHalf = 0.055;   ///< half a side panel's depth
-constexpr double kSeam = 0.025;       ///< how far front and back reach beyond what meets them
+constexpr double kUnderSide = 0.03;   ///< how far front and back reach under a side panel
+constexpr double kStrapOver = 0.025;  ///< how far the back's straps reach over the front's
 constexpr double kSideBelowArmpit = 0.038;
 constexpr double kSideBelowHem = 0.025;  ///< the side panels reach down to the iliac crest
 
@@ -67,15 +68,14 @@ double Outlines::outsideArmhole(const Vec3d& q) const {
   const double bottom = marks_.armpit - 0.028;
   const double centreY = 0.5 * (bottom + marks_.shoulderTop);
   const double y = q.y() - centreY;
-  // Above its middle the armhole runs nearly straight up to the shoulder.
-  // All that lies further out is arm.
+  // Above its middle the armhole runs nearly straight up to the shoulder; all that lies further out is arm.
   return outsideEllipse(std::min(q.x() - centreX, 0.0), y, centreX - inner, y < 0.0 ? centreY - bottom : 0.25);
 }
 
 Outline Outlines::vestFront() const {
   return [*this](const Vec3d& p) {
     const Vec3d q = folded(p);
-    const double seam = beforeCoronal(q) - (kSideHalf - 0.03) * (1.0 - shoulderShare(q.y()));
+    const double seam = beforeCoronal(q) - (kSideHalf - kUnderSide) * (1.0 - shoulderShare(q.y()));
     const double neck = both(outsideNeck(p) - kCollarGap, neckBase_.y() + 0.05 - q.y());
     return both(both(seam, outsideArmhole(q)), both(neck, q.y() - marks_.hem));
   };
@@ -85,7 +85,7 @@ Outline Outlines::vestBack() const {
   return [*this](const Vec3d& p) {
     const Vec3d q = folded(p);
     const double share = shoulderShare(q.y());
-    const double seam = kSeam * share - (kSideHalf - 0.03) * (1.0 - share) - beforeCoronal(q);
+    const double seam = kStrapOver * share - (kSideHalf - kUnderSide) * (1.0 - share) - beforeCoronal(q);
     const double neck = both(outsideNeck(p) - kCollarGap, neckBase_.y() + 0.05 - q.y());
     return both(both(seam, outsideArmhole(q)), both(neck, q.y() - marks_.hem));
   };
@@ -161,7 +161,7 @@ Outline Outlines::carrierFront(const armor::PlateSpec& plate, double top) const 
 Outline Outlines::carrierBack(const armor::PlateSpec& plate, double top) const {
   return [*this, plate, top](const Vec3d& p) {
     const Vec3d q = folded(p);
-    const double back = kSeam * shoulderShare(q.y()) - beforeCoronal(q);
+    const double back = kStrapOver * shoulderShare(q.y()) - beforeCoronal(q);
     const double panel =
         both(0.5 * plate.width + 0.022 - q.x(), both(top + 0.012 - q.y(), q.y() - (top - plate.height - 0.022)));
     const double strap = both(0.026 - std::abs(q.x() - marks_.strap), q.y() - (top - 0.06));
