@@ -517,7 +517,7 @@ double BodyField::withoutArms(const Vec3d& p) const {
 }
 
 double BodyField::whole(const Vec3d& p) const {
-  return smoothUnion(withoutArms(p), arm(mirroredToLeft(p)), 0.030 * size_);
+  return smoothUnion(withoutArms(p), arm(mirroredToLeft(p)), 0.018 * size_);
 }
 
 }  // namespace lorica::manikin

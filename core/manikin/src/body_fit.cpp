@@ -31,7 +31,7 @@ class Fitter {
     const double lean = std::clamp((fit.flesh - 1.0) / kFullLeeway, -1.0, 1.0);
     const double more = 1.0 + lean * leeway_;
     const double chest = 1.0 + lean * std::max(leeway_ - kLeast, 0.0);
-    belt(fit.chest, tapeAround(trunk, level("chestheight")), "chest", 1.022 * chest, 0.982 * chest);
+    belt(fit.chest, tapeAround(trunk, level("chestheight")), "chest", 1.026 * chest, 0.978 * chest);
     belt(fit.waist, tapeAround(trunk, level("waistheightomphalion")), "waist", more, more);
     belt(fit.hip, tapeAround(trunk, level("buttockheight")), "hip", more, more);
 
@@ -72,7 +72,7 @@ class Fitter {
     const double scaled = read.girth * 0.5 *
                           (more * sizes_.size(name + "breadth", With::build) / read.breadth +
                            more * sizes_.size(hip ? "buttockdepth" : name + "depth", With::build) / read.depth);
-    belt.squareness = std::clamp(belt.squareness * std::pow(wanted / scaled, 5.0), 1.9, 7.0);
+    belt.squareness = std::clamp(belt.squareness * std::pow(wanted / scaled, 5.0), 1.9, 11.0);
   }
 
   /// Girth at a right angle to a limb.

@@ -32,4 +32,14 @@ const base::Table& jointTable() {
   return table;
 }
 
+const base::Table& organTable() {
+  static const base::Table table = embedded("organs");
+  return table;
+}
+
+const base::Table& vesselTable() {
+  static const base::Table table = embedded("vessels");
+  return table;
+}
+
 }  // namespace lorica::manikin

@@ -9,5 +9,7 @@ namespace lorica::manikin {
 
 const base::Table& anthropometryTable();
 const base::Table& jointTable();
+const base::Table& organTable();
+const base::Table& vesselTable();
 
 }  // namespace lorica::manikin

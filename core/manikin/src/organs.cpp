@@ -1,0 +1,439 @@
+#include "lorica/manikin/organs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+
+#include "lorica/geometry/closest_point.h"
+#include "lorica/geometry/measures.h"
+#include "lorica/geometry/remesh.h"
+#include "organ_frame.h"
+#include "organ_lattice.h"
+#include "organ_shapes.h"
+#include "vessel_routes.h"
+
+namespace lorica::manikin {
+
+namespace {
+
+using geometry::Box3d;
+using geometry::TriangleMesh;
+
+/// How an organ is made. Lengths in metres of the canonical man.
+struct Recipe {
+  const char* name;
+  ShapeField shape;                              ///< may be empty when there are tubes
+  std::vector<std::vector<Station>> (*tubes)();  ///< joined to the shape; may be empty
+  Vec3d low;                                     ///< canonical box that holds it
+  Vec3d high;
+  double cell;    ///< of the lattice
+  double edge;    ///< of the triangles
+  double depth;   ///< least distance to the skin
+  double gap;     ///< to what was there before
+  double fillet;  ///< where it meets them
+};
+
+std::vector<std::vector<Station>> largeIntestineTubes() {
+  return {largeIntestineTube()};
+}
+std::vector<std::vector<Station>> smallIntestineTubes() {
+  return {smallIntestineTube()};
+}
+std::vector<std::vector<Station>> spinalCordTubes() {
+  return {spinalCordTube()};
+}
+
+/// In the order in which they take their places: firm ones first, the lungs last.
+const std::vector<Recipe>& recipes() {
+  static const std::vector<Recipe> all{
+      {"trachea", nullptr, tracheaTubes, {-0.06, 1.34, -0.07}, {0.07, 1.53, 0.02}, 0.0016, 0.0022, 0.006, 0.001, 0.001},
+      {"spinal_cord",
+       nullptr,
+       spinalCordTubes,
+       {-0.015, 1.13, -0.13},
+       {0.015, 1.60, -0.02},
+       0.0022,
+       0.0034,
+       0.012,
+       0.001,
+       0.001},
+      {"brain",
+       brainShape,
+       nullptr,
+       {-0.078, 1.585, -0.100},
+       {0.078, 1.755, 0.088},
+       0.0024,
+       0.0036,
+       0.0105,
+       0.0015,
+       0.003},
+      {"thyroid",
+       thyroidShape,
+       nullptr,
+       {-0.04, 1.455, -0.035},
+       {0.04, 1.535, 0.015},
+       0.0013,
+       0.0022,
+       0.006,
+       0.0008,
+       0.001},
+      {"heart", heartShape, nullptr, {-0.075, 1.22, -0.065}, {0.10, 1.40, 0.095}, 0.0028, 0.0050, 0.018, 0.0015, 0.003},
+      {"kidney_left",
+       kidneyLeftShape,
+       nullptr,
+       {0.015, 1.07, -0.11},
+       {0.105, 1.225, -0.02},
+       0.0025,
+       0.0046,
+       0.015,
+       0.0015,
+       0.003},
+      {"kidney_right",
+       kidneyRightShape,
+       nullptr,
+       {-0.105, 1.055, -0.11},
+       {-0.015, 1.21, -0.02},
+       0.0025,
+       0.0046,
+       0.015,
+       0.0015,
+       0.003},
+      {"spleen",
+       spleenShape,
+       nullptr,
+       {0.05, 1.14, -0.125},
+       {0.145, 1.275, 0.01},
+       0.0025,
+       0.0046,
+       0.016,
+       0.0015,
+       0.003},
+      {"pancreas",
+       pancreasShape,
+       nullptr,
+       {-0.065, 1.085, -0.07},
+       {0.105, 1.215, 0.05},
+       0.0023,
+       0.0042,
+       0.016,
+       0.0015,
+       0.003},
+      {"liver", liverShape, nullptr, {-0.150, 1.06, -0.11}, {0.11, 1.315, 0.11}, 0.0032, 0.0060, 0.0175, 0.0018, 0.005},
+      {"stomach",
+       stomachShape,
+       nullptr,
+       {-0.05, 1.07, -0.09},
+       {0.13, 1.295, 0.10},
+       0.0028,
+       0.0052,
+       0.016,
+       0.0018,
+       0.004},
+      {"bladder",
+       bladderShape,
+       nullptr,
+       {-0.065, 0.88, -0.03},
+       {0.065, 0.995, 0.085},
+       0.0026,
+       0.0046,
+       0.015,
+       0.0015,
+       0.003},
+      {"large_intestine",
+       nullptr,
+       largeIntestineTubes,
+       {-0.145, 0.84, -0.10},
+       {0.15, 1.20, 0.115},
+       0.0026,
+       0.0046,
+       0.014,
+       0.0016,
+       0.003},
+      {"small_intestine",
+       intestineCore,
+       smallIntestineTubes,
+       {-0.12, 0.90, -0.01},
+       {0.12, 1.10, 0.11},
+       0.0026,
+       0.0046,
+       0.014,
+       0.0018,
+       0.003},
+      {"lung_left",
+       lungLeftShape,
+       nullptr,
+       {-0.01, 1.16, -0.145},
+       {0.16, 1.50, 0.10},
+       0.0034,
+       0.0062,
+       0.014,
+       0.0022,
+       0.006},
+      {"lung_right",
+       lungRightShape,
+       nullptr,
+       {-0.16, 1.16, -0.145},
+       {0.01, 1.50, 0.10},
+       0.0034,
+       0.0062,
+       0.014,
+       0.0022,
+       0.006},
+  };
+  return all;
+}
+
+/// Makes one organ after the other; each keeps clear of those before it.
+class Builder {
+ public:
+  Builder(const Body& body, const OrganOptions& options) : frame_(body), skin_(body.skin), threads_(options.threads) {
+    const Vec3d low = frame_.toBody({-0.22, 0.80, -0.20});
+    const Vec3d high = frame_.toBody({0.22, kCanonicalStature, 0.16});
+    depth_ = Lattice::over(Box3d(low, high), 0.011 * frame_.scale());
+    sample(depth_, frame_, threads_, [&](const Level&, const Vec3d& p) { return skin_.signedDistance(p); });
+  }
+
+  const AnatomyFrame& frame() const { return frame_; }
+
+  TriangleMesh make(const Recipe& recipe, double volume) {
+    Lattice lattice = Lattice::over(bodyBox(recipe), recipe.cell * frame_.scale());
+    fillShape(lattice, recipe);
+    const std::vector<double> limits = limitsOn(lattice, recipe);
+    return finish(std::move(lattice), limits, recipe.fillet, recipe.edge, volume, 1,
+                  std::string_view(recipe.name) != "trachea");
+  }
+
+  /// Eyeballs at their joints, or where they are in the canonical man, as far forward as the lids allow.
+  TriangleMesh makeEyes(const human::Skeleton& skeleton, double volume) {
+    const double radius = std::cbrt(0.5 * volume * 0.75 / std::numbers::pi);
+    std::array<Vec3d, 2> centres;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto joint = skeleton.find(side == 0 ? "eye_L" : "eye_R");
+      const double x = side == 0 ? 0.0319 : -0.0319;
+      Vec3d centre = joint ? skeleton.restPosition(*joint) : frame_.toBody({x, 1.641, 0.066});
+      constexpr double lids = 0.0035;
+      for (int i = 0; i < 40 && skin_.signedDistance(centre) > -(radius + lids); ++i) {
+        centre.z() -= 0.001;
+      }
+      centres[side] = centre;
+    }
+    Box3d box(centres[0]);
+    box.extend(centres[1]);
+    const Vec3d margin = Vec3d::Constant(radius + 0.006);
+    Lattice lattice = Lattice::over(Box3d(box.min() - margin, box.max() + margin), 0.0016);
+    sample(lattice, frame_, threads_, [&](const Level&, const Vec3d& p) {
+      double field = 1.0;
+      for (const Vec3d& centre : centres) {
+        // The cornea stands out a little.
+        const double ball = (p - centre).norm() - radius;
+        const double cornea = (p - centre - Vec3d(0.0, 0.0, 0.45 * radius)).norm() - 0.62 * radius;
+        field = std::min(field, smoothUnion(ball, cornea, 0.002));
+      }
+      return field;
+    });
+    const std::vector<double> limits(lattice.values.size(), -1.0);
+    return finish(std::move(lattice), limits, 0.001, 0.0026, volume, 2, false);
+  }
+
+  /// Arteries and veins, laid between what is there; later organs keep clear of them.
+  std::pair<TriangleMesh, TriangleMesh> layVessels(const Body& body) {
+    std::vector<Vessel> vessels = vesselRoutes(body, frame_);
+    Surroundings around;
+    for (const Lattice& solid : placed_) {
+      around.solids.push_back(&solid);
+    }
+    around.bone = [this](const Vec3d& p) { return frame_.scale() * boneShape(frame_.toCanonical(p)); };
+    around.skin = &skin_;
+    settle(vessels, around);
+    VesselSurface arteries = vesselSurface(vessels, true);
+    VesselSurface veins = vesselSurface(vessels, false);
+    untangle(arteries.mesh, threads_);
+    untangle(veins.mesh, threads_);
+    tubes_ = std::move(arteries.tubes);
+    tubes_.insert(tubes_.end(), veins.tubes.begin(), veins.tubes.end());
+    return {std::move(arteries.mesh), std::move(veins.mesh)};
+  }
+
+ private:
+  TriangleMesh finish(Lattice lattice, const std::vector<double>& limits, double filletCanonical, double edge,
+                      double volume, std::size_t pieces, bool smooth) {
+    constexpr double slack = 0.0006;
+    const std::vector<double> shape = lattice.values;
+    const double fillet = filletCanonical * frame_.scale();
+    const auto swell = [&](double by) {
+      for (std::size_t i = 0; i < shape.size(); ++i) {
+        lattice.values[i] = smoothIntersection(shape[i] - by, limits[i], fillet);
+      }
+    };
+    // Rounded edges and no gaps too narrow for the triangles, still clear of the others.
+    const auto swellSmoothly = [&](double by) {
+      swell(by);
+      if (smooth) {
+        blur(lattice);
+        for (std::size_t i = 0; i < shape.size(); ++i) {
+          lattice.values[i] = std::max(lattice.values[i], limits[i] - slack);
+        }
+      }
+    };
+    double by = 0.0;
+    if (volume > 0.0) {
+      by = swellingFor(volume, lattice, swell);
+    }
+    swellSmoothly(by);
+    TriangleMesh mesh = surfaceOf(lattice, pieces);
+    for (int i = 0; volume > 0.0 && i < 2; ++i) {
+      by += (volume - geometry::signedVolume(mesh)) / geometry::area(mesh);
+      swellSmoothly(by);
+      mesh = surfaceOf(lattice, pieces);
+    }
+    mesh = evenTriangles(mesh, lattice, edge * frame_.scale());
+    untangle(mesh, threads_);
+    if (volume > 0.0) {
+      adjustVolume(mesh, volume);
+      untangle(mesh, threads_);
+    }
+    placed_.push_back(std::move(lattice));
+    return mesh;
+  }
+
+  Box3d bodyBox(const Recipe& recipe) const {
+    Box3d box;
+    constexpr int steps = 4;
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; j <= steps; ++j) {
+        for (int k = 0; k <= steps; ++k) {
+          const Vec3d share(i / 4.0, j / 4.0, k / 4.0);
+          box.extend(frame_.toBody(recipe.low + share.cwiseProduct(recipe.high - recipe.low)));
+        }
+      }
+    }
+    return box;
+  }
+
+  void fillShape(Lattice& lattice, const Recipe& recipe) const {
+    constexpr double far = 0.02;
+    const double scale = frame_.scale();
+    sample(lattice, frame_, threads_, [&](const Level& level, const Vec3d& p) {
+      return recipe.shape == nullptr ? far : scale * recipe.shape(level.toCanonical(p.x(), p.z()));
+    });
+    if (recipe.tubes != nullptr) {
+      for (const std::vector<Station>& tube : recipe.tubes()) {
+        std::vector<Station> there;
+        for (const Station& station : tube) {
+          there.push_back({frame_.toBody(station.place), station.radius * scale});
+        }
+        stampTube(lattice, there, far);
+      }
+    }
+  }
+
+  /// Positive where the organ may not be.
+  std::vector<double> limitsOn(const Lattice& lattice, const Recipe& recipe) const {
+    Lattice limits = lattice;
+    const double scale = frame_.scale();
+    std::vector<const Lattice*> near;
+    for (const Lattice& other : placed_) {
+      if (!other.box().intersection(lattice.box()).isEmpty()) {
+        near.push_back(&other);
+      }
+    }
+    const bool beside = std::string_view(recipe.name) != "spinal_cord";
+    constexpr double boneReach = 0.045;
+    // Long edges cut the corner in the furrow around a thin tube.
+    const double besideVessels = recipe.gap + 0.3 * recipe.edge;
+    Lattice vessels = lattice;
+    std::fill(vessels.values.begin(), vessels.values.end(), 1.0);
+    for (const std::vector<Station>& tube : tubes_) {
+      stampTube(vessels, tube, 0.012);
+    }
+    sample(limits, frame_, threads_, [&](const Level& level, const Vec3d& p) {
+      double limit = depth_.at(p, 1.0) + recipe.depth;
+      const Vec3d canonical = level.toCanonical(p.x(), p.z());
+      if (beside && std::abs(canonical.x()) < boneReach) {
+        limit = std::max(limit, recipe.gap - scale * boneShape(canonical));
+      }
+      for (const Lattice* other : near) {
+        limit = std::max(limit, recipe.gap - other->at(p));
+      }
+      return limit;
+    });
+    for (std::size_t i = 0; i < limits.values.size(); ++i) {
+      limits.values[i] = std::max(limits.values[i], besideVessels - vessels.values[i]);
+    }
+    return std::move(limits.values);
+  }
+
+  /// How far the shape has to grow or to shrink to hold a volume, by bisection.
+  template <class Swell>
+  static double swellingFor(double volume, const Lattice& lattice, const Swell& swell) {
+    double low = -0.02;
+    double high = 0.03;
+    for (int i = 0; i < 14; ++i) {
+      const double middle = 0.5 * (low + high);
+      swell(middle);
+      (volumeBelowZero(lattice) < volume ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+  TriangleMesh evenTriangles(const TriangleMesh& mesh, const Lattice& lattice, double edge) const {
+    geometry::RemeshOptions options;
+    options.edgeLength = [edge](const Vec3d&) { return edge; };
+    options.project = [&lattice](const Vec3d& p) { return lattice.project(p); };
+    options.rounds = 4;
+    options.threads = threads_;
+    return geometry::remeshed(mesh, options);
+  }
+
+  /// Moves the surface along its normals by the last tenths of a millimetre.
+  static void adjustVolume(TriangleMesh& mesh, double volume) {
+    for (int i = 0; i < 3; ++i) {
+      const double by = (volume - geometry::signedVolume(mesh)) / geometry::area(mesh);
+      const std::vector<geometry::Vec3f> normals = geometry::vertexNormals(mesh.positions, mesh.triangles);
+      for (std::size_t v = 0; v < normals.size(); ++v) {
+        mesh.positions[v] += static_cast<float>(by) * normals[v];
+      }
+    }
+  }
+
+  AnatomyFrame frame_;
+  geometry::ClosestPointTree skin_;
+  base::Threads threads_;
+  Lattice depth_;  ///< signed distance to the skin
+  std::deque<Lattice> placed_;
+  std::vector<std::vector<Station>> tubes_;  ///< of the vessels
+};
+
+}  // namespace
+
+std::vector<Organ> organsOf(const Body& body, const OrganOptions& options, const base::Progress& progress) {
+  Builder builder(body, options);
+  constexpr double wall = 0.020;  // skin, muscle and ribs on each side
+  const double innerBreadth = 2.0 * (builder.frame().chestHalfBreadth() - wall);
+  std::map<std::string, TriangleMesh> made;
+  const std::vector<OrganTarget> targets = organTargets(body.person, options, innerBreadth);
+  const auto volumeOf = [&](std::string_view name) {
+    return std::find_if(targets.begin(), targets.end(), [&](const OrganTarget& t) { return t.name == name; })->volume;
+  };
+  made["eyes"] = builder.makeEyes(body.skeleton, volumeOf("eyes"));
+  for (std::size_t i = 0; i < recipes().size(); ++i) {
+    progress.check();
+    const Recipe& recipe = recipes()[i];
+    made[recipe.name] = builder.make(recipe, volumeOf(recipe.name));
+    if (std::string_view(recipe.name) == "heart") {
+      std::tie(made["arteries"], made["veins"]) = builder.layVessels(body);
+    }
+    progress.report(static_cast<double>(i + 1) / static_cast<double>(recipes().size()));
+  }
+  std::vector<Organ> organs;
+  for (const OrganTarget& target : targets) {
+    organs.push_back({target.name, std::move(made[target.name]), target.volume, target.density, target.source});
+  }
+  return organs;
+}
+
+}  // namespace lorica::manikin
