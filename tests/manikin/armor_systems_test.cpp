@@ -377,6 +377,16 @@ TEST(ArmorSystems, HaveTheSameBytesAtAnyNumberOfThreads) {
   }
 }
 
+TEST(ArmorInMotion, CarriesAPlateItsBagAndItsPouchesAsOne) {
+  const Vec3d plate = *pieceOf(man(), "plate_carrier", "plate_front").carriedAt;
+  EXPECT_LT((plate - geometry::centroid(pieceOf(man(), "plate_carrier", "plate_front").mesh)).norm(), 0.02);
+  for (const char* name : {"bag_front", "pouch_1", "pouch_2", "pouch_3"}) {
+    EXPECT_EQ(pieceOf(man(), "plate_carrier", name).carriedAt, plate) << name;
+  }
+  EXPECT_EQ(pieceOf(man(), "plate_carrier", "bag_back").carriedAt,
+            pieceOf(man(), "plate_carrier", "plate_back").carriedAt);
+}
+
 /// What a motion does to a piece, over its inner face; distances from the posed skin, m, negative inside.
 struct Strain {
   double least = 1.0;  ///< outside folds
@@ -445,7 +455,7 @@ TEST(ArmorInMotion, StaysOnTheSkinThroughEveryClip) {
     for (const ArmorPiece& piece : systemOf(man(), system).pieces) {
       pieces.emplace_back(
           &piece, armor::bindPiece(piece.mesh, piece.name, piece.carriage, rig, soft(piece) ? &*piece.weights : nullptr,
-                                   soft(piece) ? &body.skeleton : nullptr, kTwo));
+                                   soft(piece) ? &body.skeleton : nullptr, kTwo, piece.carriedAt));
     }
   }
   std::printf("%-14s %-17s %8s %8s %11s %11s %8s\n", "clip", "piece", "least", "most", "near skin", "in folds",

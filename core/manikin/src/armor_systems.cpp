@@ -182,6 +182,7 @@ std::vector<geometry::RigidTransform> Armorer::addPlates(ArmorSystem& system,
     piece.mesh = std::move(plate.mesh);
     places.push_back(plate.place);
     piece.material = "ceramic plate on a fibre backing";
+    piece.carriedAt = places.back() * Vec3d::Zero();
     piece.area = armor::frontalArea(spec);
     piece.arealDensity = spec.mass / piece.area;
     piece.mass = spec.mass;
@@ -220,6 +221,7 @@ void Armorer::addBags(ArmorSystem& system, const SheetSpec& fabric, const geomet
     piece.mesh = {geometry::transformed(inPlateFrame.positions, place), inPlateFrame.triangles};
     piece.material = fabric.material;
     piece.arealDensity = fabric.arealDensity;
+    piece.carriedAt = place * Vec3d::Zero();  // the middle of the plate
     piece.protecting = false;
     return piece;
   };
