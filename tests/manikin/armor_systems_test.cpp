@@ -17,9 +17,11 @@
 #include "lorica/geometry/intersections.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/mesh_audit.h"
-#include "lorica/geometry/winding.h"
+#include "lorica/human/joint_roles.h"
 #include "lorica/manikin/plain_human.h"
+#include "lorica/manikin/task_clips.h"
 #include "lorica/parenting/body_rig.h"
+#include "lorica/raycast/caster.h"
 
 namespace lorica::manikin {
 namespace {
@@ -399,37 +401,44 @@ struct Strain {
 /// The skin in a pose, for distances.
 class PosedSkin {
  public:
-  PosedSkin(const Body& body, const geometry::Positions& posed)
-      : rest_(body.skin), posed_{posed, body.skin.triangles}, tree_(posed_) {}
+  PosedSkin(const parenting::BodyRig& rig, const geometry::Positions& posed)
+      : rest_(rig.body().skin), posed_{posed, rest_.triangles}, tree_(posed_), scene_(raycast::SceneUse::manyRays) {
+    mesh_ = scene_.add(posed_.positions, rig.skinTopology());
+    scene_.build();
+  }
 
   struct Reading {
     double distance = 0.0;
-    bool elsewhere = false;  ///< the nearest skin lies more than 5 cm away at rest: a fold
+    bool elsewhere = false;  ///< the nearest skin lies more than 3 cm away at rest: a fold, or an arm
   };
   /// \param atRest the same point of the armor at rest
-  Reading read(const Vec3d& p, const Vec3d& atRest) const {
+  Reading read(const Vec3d& p, const Vec3d& atRest, raycast::Caster& caster) const {
     const geometry::ClosestPoint near = *tree_.closest(p);
     const bool behind = near.pseudoNormal.dot(p - near.point) < 0.0;
     // Where the posed skin folds through itself its nearest triangle may face the wrong way.
-    const bool inside = behind && geometry::windingNumber(posed_, p) > 0.5;
+    const bool inside = behind && raycast::windingNumber(caster, mesh_, p) > 0;
     const Vec3d there = near.barycentric[0] * rest_.corner(near.triangle, 0) +
                         near.barycentric[1] * rest_.corner(near.triangle, 1) +
                         near.barycentric[2] * rest_.corner(near.triangle, 2);
-    return {inside ? -near.distance : near.distance, (there - atRest).norm() > 0.05};
+    return {inside ? -near.distance : near.distance, (there - atRest).norm() > 0.03};
   }
+  raycast::Caster caster() const { return raycast::Caster(scene_); }
 
  private:
   const TriangleMesh& rest_;
   TriangleMesh posed_;
   ClosestPointTree tree_;
+  raycast::Scene scene_;
+  raycast::MeshIndex mesh_;
 };
 
 void measure(const ArmorPiece& piece, const geometry::Positions& moved, const PosedSkin& skin, Strain& strain) {
   const std::size_t count = soft(piece) ? moved.size() / 2 : moved.size();
   std::vector<PosedSkin::Reading> readings(count);
-  base::parallelFor(count, 64, kTwo, [&](std::size_t begin, std::size_t end) {
+  base::parallelFor(count, 512, kTwo, [&](std::size_t begin, std::size_t end) {
+    raycast::Caster caster = skin.caster();
     for (std::size_t v = begin; v < end; ++v) {
-      readings[v] = skin.read(moved[v].cast<double>(), piece.mesh.positions[v].cast<double>());
+      readings[v] = skin.read(moved[v].cast<double>(), piece.mesh.positions[v].cast<double>(), caster);
     }
   });
   double entered = 0.0;
@@ -445,14 +454,23 @@ void measure(const ArmorPiece& piece, const geometry::Positions& moved, const Po
   strain.folded = std::max(strain.folded, folded);
 }
 
-TEST(ArmorInMotion, StaysOnTheSkinThroughEveryClip) {
-  const PlainHuman plain = plainHuman();
-  const Body& body = man().body;
+/// Least and share of a soft piece that may come near the skin outside folds, and within them.
+struct Allowance {
+  double least = 0.0;
+  double entered = 0.0;
+  double folded = 0.0;
+};
+
+/// Measures every piece through the clips, prints what it found and holds the soft ones against what they may do.
+/// \param overCrease for pieces over the creases of hip and armpit, which fold beneath them
+void expectOnSkin(const Dressed& who, const std::vector<human::Clip>& clips, int frames, const Allowance& elsewhere,
+                  const Allowance& overCrease) {
+  const Body& body = who.body;
   const parenting::BodyRig rig(
       {body.skin, body.skeleton, body.weights, human::bodyRegions(body.skin, body.weights, body.skeleton)}, {}, kTwo);
   std::vector<std::pair<const ArmorPiece*, armor::PieceRig>> pieces;
   for (const std::string system : {"full_torso_helmet", "plate_carrier"}) {
-    for (const ArmorPiece& piece : systemOf(man(), system).pieces) {
+    for (const ArmorPiece& piece : systemOf(who, system).pieces) {
       pieces.emplace_back(
           &piece, armor::bindPiece(piece.mesh, piece.name, piece.carriage, rig, soft(piece) ? &*piece.weights : nullptr,
                                    soft(piece) ? &body.skeleton : nullptr, kTwo, piece.carriedAt));
@@ -461,13 +479,13 @@ TEST(ArmorInMotion, StaysOnTheSkinThroughEveryClip) {
   std::printf("%-14s %-17s %8s %8s %11s %11s %8s\n", "clip", "piece", "least", "most", "near skin", "in folds",
               "deepest");
   std::printf("%-14s %-17s %8s %8s %11s %11s %8s\n", "", "", "mm", "mm", "% < 1 mm", "% < 1 mm", "mm");
-  for (const human::Clip& clip : plain.clips) {
+  for (const human::Clip& clip : clips) {
     std::vector<Strain> strains(pieces.size());
-    for (int frame = 1; frame < 8; ++frame) {
-      const human::Pose pose = human::sample(clip, body.skeleton, clip.duration() * frame / 8.0);
+    for (int frame = 1; frame < frames; ++frame) {
+      const human::Pose pose = human::sample(clip, body.skeleton, clip.duration() * frame / frames);
       const parenting::PosedBody posed = rig.pose(pose, kTwo);
       const auto deltas = armor::pieceDeltas(rig, pose);
-      const PosedSkin skin(body, posed.skin);
+      const PosedSkin skin(rig, posed.skin);
       for (std::size_t p = 0; p < pieces.size(); ++p) {
         geometry::Positions moved(pieces[p].first->mesh.positions.size());
         armor::posePiece(pieces[p].second, posed, deltas, moved, kTwo);
@@ -483,14 +501,28 @@ TEST(ArmorInMotion, StaysOnTheSkinThroughEveryClip) {
       if (!soft(piece)) {
         continue;
       }
+      const bool creased = piece.name == "groin" || piece.name.starts_with("shoulder");
+      const Allowance& allowed = creased ? overCrease : elsewhere;
       EXPECT_LT(strain.greatest, 0.030) << clip.name << " " << piece.name;
-      // These two lie over the creases of hip and armpit, which fold beneath them.
-      const bool overCrease = piece.name == "groin" || piece.name.starts_with("shoulder");
-      EXPECT_GT(strain.least, overCrease ? -0.008 : 0.001) << clip.name << " " << piece.name;
-      EXPECT_LT(strain.entered, overCrease ? 0.2 : 1e-9) << clip.name << " " << piece.name;
-      EXPECT_LT(strain.folded, overCrease ? 0.06 : 0.01) << clip.name << " " << piece.name;
+      EXPECT_GT(strain.least, allowed.least) << clip.name << " " << piece.name;
+      EXPECT_LE(strain.entered, allowed.entered) << clip.name << " " << piece.name;
+      EXPECT_LE(strain.folded, allowed.folded) << clip.name << " " << piece.name;
     }
   }
+}
+
+TEST(ArmorInMotion, StaysOnThePlainHumanThroughItsClips) {
+  expectOnSkin(man(), plainHuman().clips, 8, {0.001, 0.0, 0.01}, {-0.010, 0.2, 0.06});
+}
+
+TEST(ArmorInMotion, StaysOnTheBuiltInHumanThroughEveryTask) {
+  const Dressed who(makeBody({human::Sex::male, 1.755, 84.6}, kTwo));
+  const std::vector<human::Clip> clips =
+      taskClips(who.body.skeleton, human::findRoles(who.body.skeleton), measuredOn(who.body));
+  ASSERT_EQ(clips.size(), 9U);
+  // The belly folds under a vest's hem; lowered and crossed arms press into its sides, its front and, by a vertex or
+  // two beside the armpit, its back.
+  expectOnSkin(who, clips, 4, {-0.020, 0.03, 0.35}, {-0.012, 0.2, 0.2});
 }
 
 }  // namespace
