@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QGraphicsScene>
 #include <QPainter>
+#include <QValueAxis>
 #include <cmath>
 
 #include "lorica/panels/bar_figure.h"
@@ -225,6 +226,22 @@ TEST(ModelColours, DifferInHueAndInGrey) {
   EXPECT_GT(std::abs(qGray(modelColour("static_joint").rgb()) - qGray(modelColour("dynamic").rgb())), 50);
   EXPECT_NE(modelColour("static_skin"), modelColour("static_joint"));
   EXPECT_NE(modelColour("dynamic_thesis"), modelColour("dynamic"));
+}
+
+TEST_F(CoverageChartTest, WhereThereIsLittleHeightItIsForTheBarsAndValuesCarryTheirUnit) {
+  const auto* values = qobject_cast<QValueAxis*>(chart_.figure().axes(Qt::Vertical).front());
+  ASSERT_NE(values, nullptr);
+  EXPECT_FALSE(values->titleText().isEmpty());
+  chart_.resize(460, 250);
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(chart_.figure().title().isEmpty());
+  EXPECT_TRUE(values->titleText().isEmpty()) << "it would be cut off";
+  EXPECT_TRUE(values->labelFormat().contains("%%")) << "the unit";
+  EXPECT_GT(chart_.figure().plotArea().height(), 0.33 * chart_.figure().size().height());
+  chart_.resize(900, 500);
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(chart_.figure().title().isEmpty());
+  EXPECT_FALSE(values->titleText().isEmpty());
 }
 
 }  // namespace

@@ -198,6 +198,25 @@ TEST_F(Properties, ColourGoesBackToTheDefault) {
             document::defaultAppearance(document_.study(), "heart").colour);
 }
 
+TEST_F(Properties, WhatAPieceIsMadeOfIsKeptForTheRecordAndCanBeTakenBack) {
+  select(ItemKind::piece, "front_plate");
+  const auto piece = [this]() -> const study::ArmorPiece& { return document_.study().systems[0].pieces[0]; };
+  const study::Study before = document_.study();
+  auto* material = editor<QLineEdit>("material");
+  material->setFocus();
+  material->selectAll();
+  QTest::keyClicks(material, "  boron  carbide ");
+  QTest::keyClick(material, Qt::Key_Return);
+  EXPECT_EQ(piece().material, "boron carbide");
+  auto* density = editor<QDoubleSpinBox>("density");
+  density->setValue(32.5);
+  EXPECT_EQ(piece().arealDensity, 32.5);
+  EXPECT_TRUE(document::sameNumbers(before, document_.study())) << "a run stays as true as it was";
+  density->setValue(0.0);
+  EXPECT_FALSE(piece().arealDensity.has_value());
+  EXPECT_EQ(density->text(), density->specialValueText()) << "not given is no number";
+}
+
 TEST_F(Properties, EveryEditorOfAPiecePushesOneCommand) {
   select(ItemKind::piece, "front_plate");
   expectChoiceEdit("carriage", "skinned");
