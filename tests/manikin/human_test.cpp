@@ -33,6 +33,7 @@ void expectSame(const Human& a, const Human& b) {
     for (std::size_t p = 0; p < a.systems[s].pieces.size(); ++p) {
       EXPECT_TRUE(a.systems[s].pieces[p].mesh.positions == b.systems[s].pieces[p].mesh.positions);
       EXPECT_EQ(a.systems[s].pieces[p].protecting, b.systems[s].pieces[p].protecting);
+      EXPECT_EQ(a.systems[s].pieces[p].carriedAt, b.systems[s].pieces[p].carriedAt);
     }
   }
   ASSERT_EQ(a.clips.size(), b.clips.size());

@@ -123,7 +123,8 @@ void bindSoft(PieceRig& piece, const std::string& name, const parenting::BodyRig
 
 PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriage carriage,
                    const parenting::BodyRig& body, const human::SkinWeights* ownWeights,
-                   const human::Skeleton* ownSkeleton, base::Threads threads) {
+                   const human::Skeleton* ownSkeleton, base::Threads threads,
+                   const std::optional<geometry::Vec3d>& carriedAt) {
   LORICA_CHECK(!rest.positions.empty(), "a piece with vertices");
   PieceRig piece;
   piece.rest = std::move(rest);
@@ -137,7 +138,7 @@ PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriag
                             "the body has no interior site that could carry this rigid piece; it stays where it is"});
     return piece;
   }
-  piece.site = parenting::nearestSite(body.sites(), geometry::centroid(piece.rest));
+  piece.site = parenting::nearestSite(body.sites(), carriedAt ? *carriedAt : geometry::centroid(piece.rest));
   piece.hasSite = true;
   return piece;
 }

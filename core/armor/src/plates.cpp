@@ -218,9 +218,9 @@ TriangleMesh boxOnPlate(const PlateSpec& spec, double left, double right, double
   const std::vector<std::uint32_t> rim = rimOf(rows, columns);
   TriangleMesh mesh;
   const auto place = [&](std::uint32_t vertex, double off) -> geometry::Vec3f {
-    return pointOverFace(spec, left + (right - left) * (vertex % columns) / (columns - 1),
-                         low + (high - low) * static_cast<double>(vertex / columns) / (rows - 1), off)
-        .cast<float>();
+    const std::uint32_t row = vertex / columns;
+    const double across = left + (right - left) * (vertex % columns) / (columns - 1);
+    return pointOverFace(spec, across, low + (high - low) * row / (rows - 1), off).cast<float>();
   };
   const std::uint32_t grid = rows * columns;
   for (const double off : {top, bottom}) {

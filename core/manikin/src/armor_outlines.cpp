@@ -34,8 +34,11 @@ double outsideEllipse(double x, double y, double rx, double ry) {
 
 constexpr double kCollarGap = 0.022;  ///< from the neck to a vest's neck line
 constexpr double kSideHalf = 0.055;   ///< half a side panel's depth
-constexpr double kSeam = 0.025;       ///< how far front and back reach beyond what meets them
+constexpr double kUnderSide = 0.03;   ///< how far front and back reach under a side panel
+constexpr double kStrapOver = 0.025;  ///< how far the back's straps reach over the front's
 constexpr double kSideBelowArmpit = 0.038;
+constexpr double kFrontArmhole = 0.028;  ///< how far an armhole reaches below the armpit
+constexpr double kBackArmhole = 0.045;   ///< the lowered arm presses against the back of it
 constexpr double kSideBelowHem = 0.025;  ///< the side panels reach down to the iliac crest
 
 }  // namespace
@@ -61,23 +64,22 @@ double Outlines::aboveNeckBase(const Vec3d& p) const {
   return (p - neckBase_).dot(neckUp_);
 }
 
-double Outlines::outsideArmhole(const Vec3d& q) const {
+double Outlines::outsideArmhole(const Vec3d& q, double belowArmpit) const {
   const double inner = 0.82 * marks_.shoulder.x();
   const double centreX = marks_.shoulder.x() + 0.03;
-  const double bottom = marks_.armpit - 0.028;
+  const double bottom = marks_.armpit - belowArmpit;
   const double centreY = 0.5 * (bottom + marks_.shoulderTop);
   const double y = q.y() - centreY;
-  // Above its middle the armhole runs nearly straight up to the shoulder.
-  // All that lies further out is arm.
+  // Above its middle the armhole runs nearly straight up to the shoulder; all that lies further out is arm.
   return outsideEllipse(std::min(q.x() - centreX, 0.0), y, centreX - inner, y < 0.0 ? centreY - bottom : 0.25);
 }
 
 Outline Outlines::vestFront() const {
   return [*this](const Vec3d& p) {
     const Vec3d q = folded(p);
-    const double seam = beforeCoronal(q) - (kSideHalf - 0.03) * (1.0 - shoulderShare(q.y()));
+    const double seam = beforeCoronal(q) - (kSideHalf - kUnderSide) * (1.0 - shoulderShare(q.y()));
     const double neck = both(outsideNeck(p) - kCollarGap, neckBase_.y() + 0.05 - q.y());
-    return both(both(seam, outsideArmhole(q)), both(neck, q.y() - marks_.hem));
+    return both(both(seam, outsideArmhole(q, kFrontArmhole)), both(neck, q.y() - marks_.hem));
   };
 }
 
@@ -85,9 +87,9 @@ Outline Outlines::vestBack() const {
   return [*this](const Vec3d& p) {
     const Vec3d q = folded(p);
     const double share = shoulderShare(q.y());
-    const double seam = kSeam * share - (kSideHalf - 0.03) * (1.0 - share) - beforeCoronal(q);
+    const double seam = kStrapOver * share - (kSideHalf - kUnderSide) * (1.0 - share) - beforeCoronal(q);
     const double neck = both(outsideNeck(p) - kCollarGap, neckBase_.y() + 0.05 - q.y());
-    return both(both(seam, outsideArmhole(q)), both(neck, q.y() - marks_.hem));
+    return both(both(seam, outsideArmhole(q, kBackArmhole)), both(neck, q.y() - marks_.hem));
   };
 }
 
@@ -129,7 +131,7 @@ Outline Outlines::shoulder(double sign) const {
     const Vec3d across = d - along * axis;
     const double angle = std::atan2(across.cross(outward).norm(), across.dot(outward));
     const double around = 0.05 * (1.6 - angle);
-    const double overVest = 0.012 - outsideArmhole(q);
+    const double overVest = 0.012 - outsideArmhole(q, kFrontArmhole);
     return both(both(length - along, around), overVest);
   };
 }
@@ -161,7 +163,7 @@ Outline Outlines::carrierFront(const armor::PlateSpec& plate, double top) const 
 Outline Outlines::carrierBack(const armor::PlateSpec& plate, double top) const {
   return [*this, plate, top](const Vec3d& p) {
     const Vec3d q = folded(p);
-    const double back = kSeam * shoulderShare(q.y()) - beforeCoronal(q);
+    const double back = kStrapOver * shoulderShare(q.y()) - beforeCoronal(q);
     const double panel =
         both(0.5 * plate.width + 0.022 - q.x(), both(top + 0.012 - q.y(), q.y() - (top - plate.height - 0.022)));
     const double strap = both(0.026 - std::abs(q.x() - marks_.strap), q.y() - (top - 0.06));

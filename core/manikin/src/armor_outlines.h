@@ -36,7 +36,7 @@ class Outlines {
   double shoulderShare(double y) const;
   double outsideNeck(const Vec3d& p) const;
   double aboveNeckBase(const Vec3d& p) const;
-  double outsideArmhole(const Vec3d& q) const;
+  double outsideArmhole(const Vec3d& q, double belowArmpit) const;
 
   ArmorLandmarks marks_;
   Vec3d neckBase_;

@@ -207,16 +207,16 @@ void even(Patch& patch, const Cloth& cloth, const std::function<double(const Vec
 }
 
 /// Weights of the nearest skin, smoothed over the patch.
-std::vector<std::vector<double>> smoothWeights(const Patch& patch, const Body& body,
-                                               const geometry::ClosestPointTree& skin, base::Threads threads) {
+std::vector<std::vector<double>> smoothWeights(const Patch& patch, const Body& body, const SkinUnder& skin,
+                                               base::Threads threads) {
   const std::size_t joints = body.skeleton.size();
   const auto neighbors = vertexNeighbors(patch.mesh);
   std::vector<std::vector<double>> weights(patch.mesh.positions.size(), std::vector<double>(joints, 0.0));
   base::parallelFor(weights.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      const ClosestPoint place = *skin.closest(patch.mesh.positions[v].cast<double>());
+      const ClosestPoint place = *skin.tree.closest(patch.mesh.positions[v].cast<double>());
       for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t corner = body.skin.triangles[place.triangle][c] * body.weights.influences;
+        const std::size_t corner = skin.mesh.triangles[place.triangle][c] * body.weights.influences;
         for (std::size_t k = 0; k < body.weights.influences; ++k) {
           weights[v][body.weights.joints[corner + k]] +=
               place.barycentric[static_cast<Eigen::Index>(c)] * static_cast<double>(body.weights.weights[corner + k]);
@@ -288,7 +288,7 @@ Panel shell(const Patch& patch, const Cloth& cloth, const PanelCut& cut) {
 
 }  // namespace
 
-Panel cutPanel(const Cloth& cloth, const PanelCut& cut, const Body& body, const geometry::ClosestPointTree& skin,
+Panel cutPanel(const Cloth& cloth, const PanelCut& cut, const Body& body, const SkinUnder& skin,
                base::Threads threads) {
   std::vector<Vec3d> points;
   points.reserve(cloth.mesh.positions.size());

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "armor_cloth.h"
 
@@ -26,9 +27,16 @@ struct Panel {
   double middleArea = 0.0;  ///< m2, half way between the faces
 };
 
+/// Skin that a panel may take its weights from: triangles of the body's skin, its vertices kept.
+struct SkinUnder {
+  geometry::TriangleMesh mesh;
+  geometry::ClosestPointTree tree;
+
+  explicit SkinUnder(geometry::TriangleMesh part) : mesh(std::move(part)), tree(mesh) {}
+};
+
 /// The largest connected part of the cloth within the outline, as a shell.
 /// \pre the outline encloses some cloth
-Panel cutPanel(const Cloth& cloth, const PanelCut& cut, const Body& body, const geometry::ClosestPointTree& skin,
-               base::Threads threads);
+Panel cutPanel(const Cloth& cloth, const PanelCut& cut, const Body& body, const SkinUnder& skin, base::Threads threads);
 
 }  // namespace lorica::manikin

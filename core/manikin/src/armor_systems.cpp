@@ -55,7 +55,7 @@ Outline heightOver(std::vector<Layer> below, double loose) {
     for (const Layer& layer : below) {
       const double there = smoothStep(-0.028, -0.004, layer.outline(p));
       if (there > 0.0) {
-        height = std::max(height, there * (layer.height(p) + layer.thickness + kGap));
+        height = std::max(height, loose + there * (layer.height(p) + layer.thickness + kGap - loose));
       }
     }
     return height;
@@ -74,8 +74,9 @@ class Armorer {
         threads_(threads),
         shares_(bodyShares(body)),
         marks_(armorLandmarks(body, shares_)),
-        skin_(body.skin),
-        cloth_(drapedCloth(body, shares_, marks_, skin_, {}, threads)),
+        wholeSkin_(body.skin),
+        trunkSkin_(withoutArms(body.skin, shares_)),
+        cloth_(drapedCloth(body, shares_, marks_, wholeSkin_.tree, {}, threads)),
         outlines_(marks_),
         plate_(plateFor(body.person, marks_)),
         sidePlate_(sidePlateBeside(plate_)),
@@ -100,7 +101,8 @@ class Armorer {
   base::Threads threads_;
   BodyShares shares_;
   ArmorLandmarks marks_;
-  geometry::ClosestPointTree skin_;
+  SkinUnder wholeSkin_;
+  SkinUnder trunkSkin_;  ///< across the fold of an armpit the arm may be nearer to a vest, but does not carry it
   Cloth cloth_;
   Outlines outlines_;
   armor::PlateSpec plate_;
@@ -109,7 +111,8 @@ class Armorer {
 };
 
 ArmorPiece Armorer::soft(const std::string& name, const Layer& layer, const SheetSpec& sheet, bool protecting) const {
-  Panel panel = cutPanel(cloth_, {layer.outline, layer.height, layer.thickness, layer.onArms}, body_, skin_, threads_);
+  Panel panel = cutPanel(cloth_, {layer.outline, layer.height, layer.thickness, layer.onArms}, body_,
+                         layer.onArms ? wholeSkin_ : trunkSkin_, threads_);
   ArmorPiece piece;
   piece.name = name;
   piece.mesh = std::move(panel.mesh);
@@ -125,7 +128,7 @@ ArmorPiece Armorer::soft(const std::string& name, const Layer& layer, const Shee
 }
 
 TriangleMesh Armorer::wornUnder(const std::vector<ArmorPiece>& pieces) const {
-  TriangleMesh under = withoutArms(body_.skin, shares_);
+  TriangleMesh under = trunkSkin_.mesh;
   for (const ArmorPiece& piece : pieces) {
     if (piece.carriage == armor::Carriage::skinned) {
       geometry::append(under, piece.mesh);
@@ -145,7 +148,7 @@ double Armorer::sidePlateTop(const TriangleMesh& under) const {
   // As high as the hanging arms allow, on both sides.
   double top = marks_.armpit - 0.055;
   const auto free = [&](armor::PlateSide side) {
-    return leastDistance(skin_, placed(under, side, top).mesh, threads_) > kFree;
+    return leastDistance(wholeSkin_.tree, placed(under, side, top).mesh, threads_) > kFree;
   };
   for (int step = 0; step < 12 && !(free(armor::PlateSide::left) && free(armor::PlateSide::right)); ++step) {
     top -= 0.006;
@@ -179,6 +182,7 @@ std::vector<geometry::RigidTransform> Armorer::addPlates(ArmorSystem& system,
     piece.mesh = std::move(plate.mesh);
     places.push_back(plate.place);
     piece.material = "ceramic plate on a fibre backing";
+    piece.carriedAt = places.back() * Vec3d::Zero();
     piece.area = armor::frontalArea(spec);
     piece.arealDensity = spec.mass / piece.area;
     piece.mass = spec.mass;
@@ -217,6 +221,7 @@ void Armorer::addBags(ArmorSystem& system, const SheetSpec& fabric, const geomet
     piece.mesh = {geometry::transformed(inPlateFrame.positions, place), inPlateFrame.triangles};
     piece.material = fabric.material;
     piece.arealDensity = fabric.arealDensity;
+    piece.carriedAt = place * Vec3d::Zero();  // the middle of the plate
     piece.protecting = false;
     return piece;
   };

@@ -139,6 +139,10 @@ void write(Writer& writer, const ArmorPiece& piece) {
   if (piece.weights) {
     writer.put(*piece.weights);
   }
+  writer.put(static_cast<std::uint8_t>(piece.carriedAt.has_value()));
+  for (int axis = 0; axis < 3 && piece.carriedAt; ++axis) {
+    writer.put((*piece.carriedAt)[axis]);
+  }
   writer.put(piece.material);
   writer.put(piece.arealDensity);
   writer.put(piece.area);
@@ -154,6 +158,12 @@ ArmorPiece readPiece(Reader& reader, std::size_t joints) {
   piece.carriage = reader.get<std::uint8_t>() != 0 ? armor::Carriage::skinned : armor::Carriage::rigid;
   if (reader.get<std::uint8_t>() != 0) {
     piece.weights = reader.weights(piece.mesh.positions.size(), joints);
+  }
+  if (reader.get<std::uint8_t>() != 0) {
+    piece.carriedAt.emplace();
+    for (int axis = 0; axis < 3; ++axis) {
+      (*piece.carriedAt)[axis] = reader.get<double>();
+    }
   }
   piece.material = reader.text();
   piece.arealDensity = reader.get<double>();

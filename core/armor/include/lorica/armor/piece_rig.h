@@ -30,10 +30,13 @@ struct PieceRig {
 /// Binds a piece.
 /// \param ownWeights weights that came with the mesh, on `ownSkeleton`; used when every joint they name is a joint of
 ///        the body (matched by name), else the nearest skin's weights are taken and an issue says so
+/// \param carriedAt the point whose nearest site carries a rigid piece, the same for pieces that move as one; the
+///        piece's centroid where none is given
 /// \pre rest is not empty
 PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriage carriage,
                    const parenting::BodyRig& body, const human::SkinWeights* ownWeights,
-                   const human::Skeleton* ownSkeleton, base::Threads threads);
+                   const human::Skeleton* ownSkeleton, base::Threads threads,
+                   const std::optional<geometry::Vec3d>& carriedAt = std::nullopt);
 
 /// What a pose gives soft pieces; the same for all of them.
 human::SkinningDeltas pieceDeltas(const parenting::BodyRig& body, const std::optional<human::Pose>& pose);

@@ -36,14 +36,15 @@ double frontalArea(const PlateSpec& spec);
 /// \pre the lengths are positive, 2 * thickness < curvatureRadius and width < curvatureRadius
 geometry::TriangleMesh plate(const PlateSpec& spec);
 
-/// A cover over a plate's front face and edges, open behind, as a plate's bag shows it: a closed
-/// outward shell in the plate's frame, `gap` metres off the plate and `thickness` metres thick.
+/// A cover over a plate's front face and edges, open behind, as a plate's bag shows it: a closed outward shell in the
+/// plate's frame, `gap` metres off the plate and `thickness` metres thick.
 /// \pre as plate(), and gap and thickness are positive
 geometry::TriangleMesh plateCover(const PlateSpec& spec, double gap, double thickness);
 
 /// A box on the plate's front face, bent with it: from `left` to `right` across the plate and from `low` to `high`
 /// above its lower edge (metres, across counted along the face from the middle), from `bottom` to `top` metres off the
-/// face. \pre as plate(); left < right, low < high, bottom < top
+/// face.
+/// \pre as plate(); left < right, low < high, bottom < top
 geometry::TriangleMesh boxOnPlate(const PlateSpec& spec, double left, double right, double low, double high,
                                   double bottom, double top);
 
@@ -70,9 +71,11 @@ struct PlatePlacement {
 /// are in the way: hand in a skin without them. The top edge lies below the suprasternal notch, whose height comes from
 /// a collar-bone or neck joint where one with a known name is plausible (0.78 to 0.86 of stature), else from the mean
 /// share of stature in ANSUR II. Sideways it is centred on the trunk's sections. It keeps `clearance` everywhere and is
-/// pitched so that its largest gap is smallest. Every skin gets a plate; one the rules do not fit gets a warning with
-/// it. \param skeleton of the body, or null \pre the skin has triangles; what `plate` asks of the spec Thread-safe.
-/// Cost: a few passes over the skin, about 0.1 s.
+/// pitched so that its largest gap is smallest.
+/// Every skin gets a plate; one the rules do not fit gets a warning with it.
+/// \param skeleton of the body, or null
+/// \pre the skin has triangles; what `plate` asks of the spec
+/// Thread-safe. Cost: a few passes over the skin, about 0.1 s.
 PlacedPlate placePlate(const geometry::TriangleMesh& skin, const human::Skeleton* skeleton, PlateSide side,
                        const PlateSpec& spec, const PlatePlacement& placement = {});
 

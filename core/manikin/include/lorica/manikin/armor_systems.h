@@ -20,6 +20,8 @@ struct ArmorPiece {
   geometry::TriangleMesh mesh;  ///< closed, manifold, outward, one piece, not through itself
   armor::Carriage carriage = armor::Carriage::rigid;
   std::optional<human::SkinWeights> weights;  ///< on the body's skeleton, for skinned pieces
+  /// For rigid pieces, what armor::bindPiece() calls so: a plate, its bag and its pouches move as one.
+  std::optional<geometry::Vec3d> carriedAt;
   std::string material;
   double arealDensity = 0.0;  ///< kg/m2
   double area = 0.0;          ///< m2, covered: of the middle of a shell, of a plate's outline seen from its front
