@@ -89,7 +89,10 @@ double heartShape(const Vec3d& p) {
   const double ventricles = smoothUnion(leftVentricle, rightVentricle, 0.006);
   double field = smoothUnion(ventricles, smoothUnion(rightAtrium, leftAtrium, 0.010), 0.007);
   field = smoothUnion(field, auricle, 0.005);
-  return smoothUnion(smoothUnion(field, aorticRoot, 0.006), trunk, 0.006);
+  field = smoothUnion(smoothUnion(field, aorticRoot, 0.006), trunk, 0.006);
+  // Behind it the aorta runs down.
+  const double aorta = taperedCapsule(p, {0.024, 1.390, -0.048}, {0.010, 1.200, -0.044}, 0.0165, 0.0145);
+  return smoothIntersection(field, -aorta, 0.006);
 }
 
 double lungLeftShape(const Vec3d& p) {
@@ -242,8 +245,8 @@ double brainShape(const Vec3d& p) {
 double thyroidShape(const Vec3d& p) {
   const Vec3d q(std::abs(p.x()), p.y(), p.z());
   const double lobe =
-      smoothUnion(taperedCapsule(q, {0.0165, 1.474, -0.013}, {0.0185, 1.490, -0.012}, 0.0090, 0.0095),
-                  taperedCapsule(q, {0.0185, 1.490, -0.012}, {0.0215, 1.520, -0.013}, 0.0095, 0.0045), 0.006);
+      smoothUnion(taperedCapsule(q, {0.0170, 1.472, -0.013}, {0.0190, 1.490, -0.012}, 0.0095, 0.0105),
+                  taperedCapsule(q, {0.0190, 1.490, -0.012}, {0.0220, 1.522, -0.013}, 0.0105, 0.0050), 0.006);
   const double isthmus = taperedCapsule(q, {0.0, 1.484, 0.0030}, {0.0120, 1.484, -0.0010}, 0.0035, 0.0045);
   return smoothUnion(lobe, isthmus, 0.005);
 }
@@ -388,7 +391,7 @@ std::vector<std::vector<Station>> tracheaTubes() {
     double run = 0.0;
     for (std::size_t i = 1; i < tube.size(); ++i) {
       run += (tube[i].place - tube[i - 1].place).norm();
-      tube[i].radius += 0.0005 * std::cos(2.0 * pi * run / pitch);
+      tube[i].radius += 0.0004 * std::cos(2.0 * pi * run / pitch);
     }
   }
   return tubes;

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "lorica/geometry/closest_point.h"
+#include "lorica/geometry/intersections.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/remesh.h"
 #include "organ_frame.h"
@@ -30,11 +31,12 @@ struct Recipe {
   std::vector<std::vector<Station>> (*tubes)();  ///< joined to the shape; may be empty
   Vec3d low;                                     ///< canonical box that holds it
   Vec3d high;
-  double cell;    ///< of the lattice
-  double edge;    ///< of the triangles
-  double depth;   ///< least distance to the skin
-  double gap;     ///< to what was there before
-  double fillet;  ///< where it meets them
+  double cell;            ///< of the lattice
+  double edge;            ///< of the triangles
+  double depth;           ///< least distance to the skin
+  double gap;             ///< to what was there before
+  double fillet;          ///< where it meets them
+  bool yielding = false;  ///< its tubes bend around what was there before
 };
 
 std::vector<std::vector<Station>> largeIntestineTubes() {
@@ -71,6 +73,7 @@ const std::vector<Recipe>& recipes() {
        0.0105,
        0.0015,
        0.003},
+      {"heart", heartShape, nullptr, {-0.075, 1.22, -0.065}, {0.10, 1.40, 0.095}, 0.0028, 0.0050, 0.018, 0.0015, 0.003},
       {"thyroid",
        thyroidShape,
        nullptr,
@@ -79,9 +82,8 @@ const std::vector<Recipe>& recipes() {
        0.0013,
        0.0022,
        0.006,
-       0.0008,
+       0.0014,
        0.001},
-      {"heart", heartShape, nullptr, {-0.075, 1.22, -0.065}, {0.10, 1.40, 0.095}, 0.0028, 0.0050, 0.018, 0.0015, 0.003},
       {"kidney_left",
        kidneyLeftShape,
        nullptr,
@@ -152,7 +154,8 @@ const std::vector<Recipe>& recipes() {
        0.0046,
        0.014,
        0.0016,
-       0.003},
+       0.003,
+       true},
       {"small_intestine",
        intestineCore,
        smallIntestineTubes,
@@ -199,6 +202,9 @@ class Builder {
 
   const AnatomyFrame& frame() const { return frame_; }
 
+  /// Forgets the organ made last.
+  void takeBack() { placed_.pop_back(); }
+
   TriangleMesh make(const Recipe& recipe, double volume) {
     Lattice lattice = Lattice::over(bodyBox(recipe), recipe.cell * frame_.scale());
     fillShape(lattice, recipe);
@@ -242,17 +248,22 @@ class Builder {
   /// Arteries and veins, laid between what is there; later organs keep clear of them.
   std::pair<TriangleMesh, TriangleMesh> layVessels(const Body& body) {
     std::vector<Vessel> vessels = vesselRoutes(body, frame_);
-    Surroundings around;
-    for (const Lattice& solid : placed_) {
-      around.solids.push_back(&solid);
+    Surroundings around = surroundings();
+    VesselSurface arteries;
+    VesselSurface veins;
+    // Walls that still meet after the first laying are moved further apart.
+    constexpr int attempts = 5;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      settle(vessels, around);
+      arteries = vesselSurface(vessels, true);
+      veins = vesselSurface(vessels, false);
+      untangle(arteries.mesh, threads_);
+      untangle(veins.mesh, threads_);
+      if (geometry::intersections(arteries.mesh, veins.mesh, threads_).empty()) {
+        break;
+      }
+      around.gap += 0.001;
     }
-    around.bone = [this](const Vec3d& p) { return frame_.scale() * boneShape(frame_.toCanonical(p)); };
-    around.skin = &skin_;
-    settle(vessels, around);
-    VesselSurface arteries = vesselSurface(vessels, true);
-    VesselSurface veins = vesselSurface(vessels, false);
-    untangle(arteries.mesh, threads_);
-    untangle(veins.mesh, threads_);
     tubes_ = std::move(arteries.tubes);
     tubes_.insert(tubes_.end(), veins.tubes.begin(), veins.tubes.end());
     return {std::move(arteries.mesh), std::move(veins.mesh)};
@@ -314,6 +325,16 @@ class Builder {
     return box;
   }
 
+  Surroundings surroundings() const {
+    Surroundings around;
+    for (const Lattice& solid : placed_) {
+      around.solids.push_back(&solid);
+    }
+    around.bone = [this](const Vec3d& p) { return frame_.scale() * boneShape(frame_.toCanonical(p)); };
+    around.skin = &skin_;
+    return around;
+  }
+
   void fillShape(Lattice& lattice, const Recipe& recipe) const {
     constexpr double far = 0.02;
     const double scale = frame_.scale();
@@ -322,11 +343,19 @@ class Builder {
     });
     if (recipe.tubes != nullptr) {
       for (const std::vector<Station>& tube : recipe.tubes()) {
-        std::vector<Station> there;
+        Vessel there;
         for (const Station& station : tube) {
-          there.push_back({frame_.toBody(station.place), station.radius * scale});
+          there.stations.push_back({frame_.toBody(station.place), station.radius * scale});
         }
-        stampTube(lattice, there, far);
+        if (recipe.yielding) {
+          std::vector<Vessel> alone{std::move(there)};
+          Surroundings around = surroundings();
+          around.gap = recipe.gap;
+          around.skinDepth = recipe.depth;
+          settle(alone, around);
+          there = std::move(alone.front());
+        }
+        stampTube(lattice, there.stations, far);
       }
     }
   }
@@ -426,6 +455,9 @@ std::vector<Organ> organsOf(const Body& body, const OrganOptions& options, const
     made[recipe.name] = builder.make(recipe, volumeOf(recipe.name));
     if (std::string_view(recipe.name) == "heart") {
       std::tie(made["arteries"], made["veins"]) = builder.layVessels(body);
+      // Once more, now that the vessels have their places.
+      builder.takeBack();
+      made[recipe.name] = builder.make(recipe, volumeOf(recipe.name));
     }
     progress.report(static_cast<double>(i + 1) / static_cast<double>(recipes().size()));
   }
