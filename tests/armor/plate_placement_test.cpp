@@ -218,5 +218,45 @@ TEST(PlateOnUnfitBodies, RefusesASkinWithoutTriangles) {
   EXPECT_THROW(placePlate({}, nullptr, PlateSide::front, mediumSapi()), base::CallerError);
 }
 
+/// A trunk without arms: an ellipsoid wider than deep, of a person's height.
+geometry::TriangleMesh column() {
+  return geometry::ellipsoid(Vec3d(0.01, 0.9, -0.02), Vec3d(0.18, 0.9, 0.12), 5);
+}
+
+TEST(PlateBeside, LiesOnEachSideWithItsTopWhereItIsAsked) {
+  PlateSpec spec = mediumSapi();
+  spec.width = 0.152;
+  spec.height = 0.203;
+  spec.topWidth = 0.12;
+  spec.cornerHeight = 0.015;
+  spec.curvatureRadius = 0.22;
+  PlatePlacement placement;
+  placement.clearance = 0.003;
+  placement.top = 1.1;
+  const PlacedPlate left = placePlate(column(), nullptr, PlateSide::left, spec, placement);
+  const PlacedPlate right = placePlate(column(), nullptr, PlateSide::right, spec, placement);
+  EXPECT_TRUE(left.issues.empty());
+  for (const PlacedPlate* placed : {&left, &right}) {
+    EXPECT_NEAR(topY(placed->mesh), 1.1, 1e-6);
+    expectOutside(placed->mesh, column());
+    EXPECT_GT(distanceTo(column(), placed->mesh.positions.front().cast<double>()), 0.0025);
+  }
+  EXPECT_GT(middleX(left.mesh), 0.18);
+  EXPECT_LT(middleX(right.mesh), -0.16);
+  EXPECT_NEAR(geometry::bounds(left.mesh.positions).center().z(), -0.02, 0.003);
+  EXPECT_NEAR(middleX(left.mesh) - 0.01, 0.01 - middleX(right.mesh), 0.002);
+}
+
+TEST(PlateBeside, TellsHowThePlateWasMoved) {
+  const PlateSpec spec = mediumSapi();
+  for (const PlateSide side : {PlateSide::front, PlateSide::back, PlateSide::left, PlateSide::right}) {
+    const PlacedPlate placed = placePlate(column(), nullptr, side, spec);
+    const auto moved = geometry::transformed(plate(spec).positions, placed.place);
+    for (std::size_t v = 0; v < moved.size(); v += 50) {
+      EXPECT_LT((moved[v] - placed.mesh.positions[v]).norm(), 1e-6F);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lorica::armor

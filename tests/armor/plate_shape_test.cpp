@@ -9,6 +9,8 @@
 #include "lorica/armor/plates.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
+#include "lorica/geometry/closest_point.h"
+#include "lorica/geometry/intersections.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/mesh_audit.h"
 
@@ -183,6 +185,43 @@ TEST(Plate, RefusesSpecsThatAreNoPlate) {
   PlateSpec tube = mediumSapi();
   tube.curvatureRadius = 0.1;
   EXPECT_THROW(plate(tube), base::CallerError);
+}
+
+void expectSound(const geometry::TriangleMesh& mesh) {
+  const geometry::MeshAudit audit = geometry::audit(mesh);
+  EXPECT_TRUE(audit.closed());
+  EXPECT_EQ(audit.components.size(), 1U);
+  EXPECT_EQ(audit.oddEdges, 0U);
+  EXPECT_EQ(audit.degenerateTriangles, 0U);
+  EXPECT_GT(geometry::signedVolume(mesh), 0.0);
+  EXPECT_TRUE(geometry::selfIntersections(mesh, base::Threads{2}).empty());
+}
+
+TEST(PlateCover, IsAShellAroundThePlateThatLeavesItFree) {
+  const PlateSpec spec = mediumSapi();
+  const geometry::TriangleMesh inside = plate(spec);
+  const geometry::TriangleMesh cover = plateCover(spec, 0.002, 0.003);
+  expectSound(cover);
+  EXPECT_TRUE(geometry::intersections(cover, inside, base::Threads{2}).empty());
+  // Front face and edges, 3 mm thick.
+  const double faces = frontalArea(spec) * 1.016 + 2.0 * (spec.width + spec.height) * 0.9 * spec.thickness;
+  EXPECT_NEAR(geometry::signedVolume(cover), 0.003 * faces, 0.1 * 0.003 * faces);
+  const geometry::ClosestPointTree shell(cover);
+  for (const geometry::Vec3f& position : inside.positions) {
+    const double distance = shell.signedDistance(position.cast<double>());
+    EXPECT_GT(distance, 0.0014);  // 2 mm; a little less along chords of the bent face
+  }
+  EXPECT_GT(geometry::bounds(cover.positions).max().z(), geometry::bounds(inside.positions).max().z() + 0.0049);
+}
+
+TEST(BoxOnPlate, LiesOnTheFrontFaceAndIsBentWithIt) {
+  const PlateSpec spec = mediumSapi();
+  const geometry::TriangleMesh box = boxOnPlate(spec, -0.04, 0.03, 0.02, 0.145, 0.004, 0.034);
+  expectSound(box);
+  EXPECT_TRUE(geometry::intersections(box, plate(spec), base::Threads{2}).empty());
+  const double middleRadius = spec.curvatureRadius + 0.019;
+  EXPECT_NEAR(geometry::signedVolume(box), 0.07 * middleRadius / spec.curvatureRadius * 0.125 * 0.03, 1e-6);
+  EXPECT_NEAR(geometry::bounds(box.positions).min().y(), 0.02 - 0.5 * spec.height, 1e-6);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ PosedScene::PosedScene(const LoadedStudy& study, std::vector<viscera::OrganModel
 void PosedScene::deform(const std::optional<human::Pose>& pose, base::Threads threads) {
   const parenting::BodyRig& body = *study_->body;
   body.poseInto(pose, threads, body_);
-  const std::vector<human::SkinningDelta> deltas = armor::pieceDeltas(body, pose);
+  const human::SkinningDeltas deltas = armor::pieceDeltas(body, pose);
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
     armor::posePiece(study_->pieces[p]->rig, body_, deltas, pieces_[p], threads);
   }

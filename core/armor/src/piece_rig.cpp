@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
@@ -37,30 +38,64 @@ std::optional<human::SkinWeights> renamed(const human::SkinWeights& own, const h
   return result;
 }
 
-/// Weights of the nearest place on the skin, for every vertex.
-human::SkinWeights weightsOfNearestSkin(std::span<const Vec3f> positions, const parenting::BodyRig& body,
-                                        base::Threads threads) {
-  const human::SkinWeights& skin = *body.body().weights;
-  const std::size_t stride = 3 * skin.influences;
-  std::vector<human::Influence> influences(positions.size() * stride);
+/// A corner of the skin's triangle under a vertex, and how much the vertex takes from it.
+struct SkinCorner {
+  std::uint32_t vertex = 0;
+  double share = 0.0;
+};
+using SkinPlace = std::array<SkinCorner, 3>;
+
+/// The nearest place on the skin, for every vertex.
+std::vector<SkinPlace> nearestSkin(std::span<const Vec3f> positions, const parenting::BodyRig& body,
+                                   base::Threads threads) {
+  std::vector<SkinPlace> places(positions.size());
   base::parallelFor(positions.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const auto nearest = raycast::closestPoint(body.restScene(), positions[v].cast<double>());
-      if (!nearest) {
-        continue;
-      }
-      const geometry::Triangle& corner = body.body().skin.triangles[nearest->triangle];
-      for (std::size_t c = 0; c < 3; ++c) {
-        for (std::size_t k = 0; k < skin.influences; ++k) {
-          const std::size_t at = corner[c] * skin.influences + k;
-          influences[v * stride + c * skin.influences + k] = {
-              skin.joints[at], std::max(0.0, nearest->barycentric[static_cast<Eigen::Index>(c)]) *
-                                   static_cast<double>(skin.weights[at])};
-        }
+      for (std::size_t c = 0; c < 3 && nearest; ++c) {
+        places[v][c] = {body.body().skin.triangles[nearest->triangle][c],
+                        std::max(0.0, nearest->barycentric[static_cast<Eigen::Index>(c)])};
       }
     }
   });
+  return places;
+}
+
+human::SkinWeights weightsAt(std::span<const SkinPlace> places, const human::SkinWeights& skin) {
+  const std::size_t stride = 3 * skin.influences;
+  std::vector<human::Influence> influences(places.size() * stride);
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t k = 0; k < skin.influences; ++k) {
+        const std::size_t at = places[v][c].vertex * skin.influences + k;
+        influences[v * stride + c * skin.influences + k] = {skin.joints[at],
+                                                            places[v][c].share * static_cast<double>(skin.weights[at])};
+      }
+    }
+  }
   return human::normaliseWeights(influences, stride).weights;
+}
+
+/// The skin's centres of rotation under a piece. Corners that one joint holds have none that says anything; over three
+/// of those a vertex is its own centre.
+std::vector<Vec3f> centresAt(std::span<const SkinPlace> places, std::span<const Vec3f> positions,
+                             const parenting::BodyRig& body) {
+  if (body.centres().empty()) {
+    return {};
+  }
+  std::vector<Vec3f> centres(places.size());
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    Vec3d sum = Vec3d::Zero();
+    double share = 0.0;
+    for (const SkinCorner& corner : places[v]) {
+      if (body.body().weights->isShared(corner.vertex)) {
+        sum += corner.share * body.centres()[corner.vertex].cast<double>();
+        share += corner.share;
+      }
+    }
+    centres[v] = share > 0.0 ? Vec3f((sum / share).cast<float>()) : positions[v];
+  }
+  return centres;
 }
 
 void bindSoft(PieceRig& piece, const std::string& name, const parenting::BodyRig& body,
@@ -68,6 +103,8 @@ void bindSoft(PieceRig& piece, const std::string& name, const parenting::BodyRig
   if (!body.body().skeleton) {
     return;
   }
+  const std::vector<SkinPlace> places = nearestSkin(piece.rest.positions, body, threads);
+  piece.centres = centresAt(places, piece.rest.positions, body);
   if (ownWeights != nullptr && ownSkeleton != nullptr) {
     std::string missing;
     piece.weights = renamed(*ownWeights, *ownSkeleton, *body.body().skeleton, missing);
@@ -79,7 +116,7 @@ void bindSoft(PieceRig& piece, const std::string& name, const parenting::BodyRig
                                         "weights of the nearest skin instead of its own",
                                         missing)});
   }
-  piece.weights = weightsOfNearestSkin(piece.rest.positions, body, threads);
+  piece.weights = weightsAt(places, *body.body().weights);
 }
 
 }  // namespace
@@ -105,18 +142,18 @@ PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriag
   return piece;
 }
 
-std::vector<human::SkinningDelta> pieceDeltas(const parenting::BodyRig& body, const std::optional<human::Pose>& pose) {
+human::SkinningDeltas pieceDeltas(const parenting::BodyRig& body, const std::optional<human::Pose>& pose) {
   if (!body.body().skeleton) {
     return {};
   }
   return human::skinningDeltas(*body.body().skeleton, pose ? *pose : human::restPose(*body.body().skeleton));
 }
 
-void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, std::span<const human::SkinningDelta> deltas,
+void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, const human::SkinningDeltas& deltas,
                std::span<Vec3f> posed, base::Threads threads) {
   LORICA_CHECK(posed.size() == piece.rest.positions.size(), "one place per vertex");
   if (piece.carriage == Carriage::skinned && piece.weights) {
-    human::skin(piece.rest.positions, *piece.weights, deltas, posed, threads);
+    human::skin(piece.rest.positions, *piece.weights, piece.centres, deltas, posed, threads);
     return;
   }
   const bool carried = piece.carriage == Carriage::rigid && piece.hasSite;

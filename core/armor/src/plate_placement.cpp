@@ -252,26 +252,45 @@ Fit bestFit(const Faces& faces, const DepthMap& map, double middle, double top) 
   return best;
 }
 
+/// Every side is handled as the front of a body that has turned: exactly, so that left and right mirror each other.
+geometry::Mat3d turnToFront(PlateSide side) {
+  geometry::Mat3d turn = geometry::Mat3d::Identity();
+  switch (side) {
+    case PlateSide::front:
+      break;
+    case PlateSide::back:
+      turn.diagonal() << -1.0, 1.0, -1.0;
+      break;
+    case PlateSide::left:
+      turn << 0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0;
+      break;
+    case PlateSide::right:
+      turn << 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0;
+      break;
+  }
+  return turn;
+}
+
 }  // namespace
 
 PlacedPlate placePlate(const geometry::TriangleMesh& skin, const human::Skeleton* skeleton, PlateSide side,
                        const PlateSpec& spec, const PlatePlacement& placement) {
   LORICA_CHECK(!skin.triangles.empty(), "a plate needs a skin to lie on");
-  PlacedPlate placed{plate(spec), {}};
+  PlacedPlate placed{plate(spec), {}, {}};
   const geometry::Box3d box = geometry::bounds(skin.positions);
   judgeStance(box, placed.issues);
   const Stance stance{box.min().y(), box.sizes().y(), box.center().x()};
-  const double top = notchHeight(skeleton, stance, placed.issues) - placement.belowNotch;
+  const double top =
+      placement.top ? *placement.top : notchHeight(skeleton, stance, placed.issues) - placement.belowNotch;
 
-  // The back is handled as the front of a body that has turned round.
-  const double turn = side == PlateSide::front ? 1.0 : -1.0;
-  const Vec3d turned(turn, 1.0, turn);
+  const geometry::Mat3d turn = turnToFront(side);
   std::vector<Vec3d> points;
   points.reserve(skin.positions.size());
   for (const geometry::Vec3f& position : skin.positions) {
-    points.emplace_back(position.cast<double>().cwiseProduct(turned));
+    points.emplace_back(turn * position.cast<double>());
   }
-  const double middle = midline(points, skin.triangles, top, spec.height).value_or(turn * stance.middle);
+  const Vec3d centre = turn * box.center();
+  const double middle = midline(points, skin.triangles, top, spec.height).value_or(centre.x());
   const double reach = placement.clearance + 0.01;
   const geometry::Box3d under(Vec3d(middle - 0.5 * spec.width - reach, top - spec.height - reach, 0.0),
                               Vec3d(middle + 0.5 * spec.width + reach, top + reach, 0.0));
@@ -280,12 +299,13 @@ PlacedPlate placePlate(const geometry::TriangleMesh& skin, const human::Skeleton
   if (!std::isfinite(best.largestGap)) {
     placed.issues.push_back({base::Severity::warning, "", "plate",
                              "there is no skin where the plate belongs: it is placed before the body's box"});
-    const double foremost = side == PlateSide::front ? box.max().z() : -box.min().z();
+    const double foremost = std::max((turn * box.min()).z(), (turn * box.max()).z());
     best.pitch = geometry::Quatd::Identity();
     best.shift = {middle, top - 0.5 * spec.height, foremost + placement.clearance + 0.5 * spec.width};
   }
+  placed.place = {geometry::Quatd(turn.transpose()) * best.pitch, turn.transpose() * best.shift};
   for (geometry::Vec3f& position : placed.mesh.positions) {
-    position = (best.pitch * position.cast<double>() + best.shift).cwiseProduct(turned).cast<float>();
+    position = (turn.transpose() * (best.pitch * position.cast<double>() + best.shift)).cast<float>();
   }
   return placed;
 }

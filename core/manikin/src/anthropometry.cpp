@@ -42,6 +42,10 @@ Anthropometry::Anthropometry(const human::Person& person) : person_(person) {
   buildScore_ = build.scoreOf(person.mass / person.stature);
 }
 
+double surveyValue(human::Sex sex, std::string_view dimension, double score) {
+  return percentilesOf(sex, dimension).at(score);
+}
+
 double Anthropometry::size(std::string_view dimension, GrowsWith with) const {
   return percentilesOf(person_.sex, dimension).at(with == GrowsWith::stature ? statureScore_ : buildScore_);
 }

@@ -36,4 +36,7 @@ class Anthropometry {
   double buildScore_ = 0.0;
 };
 
+/// A dimension of a sex at a score, in metres or kilograms.
+double surveyValue(human::Sex sex, std::string_view dimension, double score);
+
 }  // namespace lorica::manikin

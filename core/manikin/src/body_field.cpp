@@ -79,9 +79,9 @@ Loft drawTrunk(const Drawn& d) {
     return Reach{between(a.back, c.back, t), between(a.front, c.front, t)};
   };
   // Thickens a section nobody measures about its own middle.
-  const auto fleshed = [&](Reach z) {
-    const double more = 0.5 * (flesh - 1.0) * (z.front - z.back);
-    return Reach{z.back - 0.5 * more, z.front + 1.5 * more};
+  const auto fleshed = [&](Reach z, double share) {
+    const double more = 0.5 * share * (flesh - 1.0) * (z.front - z.back);
+    return Reach{z.back - more, z.front + more};
   };
   // A woman's ribs under the bust are less deep than the tape over it.
   const Reach ribs{b.chest.back, f ? b.chest.front - d.tall(0.042) : b.chest.front};
@@ -91,17 +91,21 @@ Loft drawTrunk(const Drawn& d) {
       section(between(crotch, hipY, 0.85), 0.985 * b.hipHalf, {0.90 * b.hip.back, 0.88 * b.hip.front}, 0.50,
               d.fit.hip.squareness),
       section(hipY, b.hipHalf, {0.985 * b.hip.back, b.hip.front}, 0.50, d.fit.hip.squareness),
-      section(iliacY, between(b.hipHalf, b.waistHalf, 0.55) * (f ? 0.985 : 1.0) * (0.4 + 0.6 * flesh),
-              fleshed(mixed(b.hip, b.waist, 0.62)), 0.48, between(d.fit.hip.squareness, d.fit.waist.squareness, 0.5)),
+      section(iliacY, between(b.hipHalf, b.waistHalf, 0.55) * (f ? 0.985 : 1.0) * (0.8 + 0.2 * flesh),
+              fleshed(mixed(b.hip, b.waist, 0.62), 0.3), 0.48,
+              between(d.fit.hip.squareness, d.fit.waist.squareness, 0.5)),
       section(waistY, b.waistHalf, b.waist, 0.46, d.fit.waist.squareness),
       section(ribY, between(b.waistHalf, b.chestHalf, 0.45) * (f ? 0.965 : 1.0) * (0.5 + 0.5 * flesh),
-              fleshed(mixed(b.waist, ribs, 0.45)), 0.47, between(d.fit.waist.squareness, d.fit.chest.squareness, 0.25)),
+              fleshed(mixed(b.waist, ribs, 0.45), 0.7), 0.47,
+              between(d.fit.waist.squareness, d.fit.chest.squareness, 0.25)),
       section(between(ribY, chestY, 0.55), between(b.waistHalf, b.chestHalf, 0.85) * (0.5 + 0.5 * flesh),
-              fleshed(mixed(b.waist, ribs, 0.86)), 0.48, between(d.fit.waist.squareness, d.fit.chest.squareness, 0.7)),
+              fleshed(mixed(b.waist, ribs, 0.86), 0.8), 0.48,
+              between(d.fit.waist.squareness, d.fit.chest.squareness, 0.7)),
       section(chestY, b.chestHalf, ribs, 0.48, d.fit.chest.squareness),
-      section(axillaY, 1.03 * b.chestHalf * (0.5 + 0.5 * flesh), {0.995 * b.chest.back, 0.90 * ribs.front}, 0.45,
-              between(d.fit.chest.squareness, 2.6, 0.5)),
-      section(between(axillaY, notchY, 0.60), 0.72 * shoulderHalf, {0.94 * b.chest.back, 0.58 * ribs.front}, 0.42, 2.5),
+      section(axillaY, 1.03 * b.chestHalf * (0.5 + 0.5 * flesh),
+              fleshed({0.995 * b.chest.back, 0.90 * ribs.front}, 0.5), 0.45, between(d.fit.chest.squareness, 2.6, 0.5)),
+      section(between(axillaY, notchY, 0.60), 0.72 * shoulderHalf,
+              fleshed({0.94 * b.chest.back, 0.58 * ribs.front}, 0.5), 0.42, 2.5),
       section(notchY + d.tall(0.004), 0.52 * shoulderHalf, {0.85 * b.chest.back, d.tall(0.036)}, 0.42, 2.2),
       section(notchY + d.tall(0.036), 0.33 * shoulderHalf, {0.72 * b.chest.back, d.tall(0.014)}, 0.42, 2.0),
   };
@@ -137,16 +141,20 @@ struct Face {
   double deep(double metres) const { return metres * (glabella - occiput) / 0.200; }
 };
 
+/// The survey's girth of the head belongs to a tilted tape; a level one over its breadth and length needs a little
+/// more of both, else the skull would be square.
+constexpr double kRoundHead = 1.015;
+
 Face faceOf(const Drawn& d) {
   Face face;
   face.top = d.stature();
   face.eyeY = d.joints.at[jEye].y();
   face.chinY = face.eyeY + d.tall(0.004) - d.length("mentonsellionlength");
-  const double length = d.length("headlength");
+  const double length = kRoundHead * d.length("headlength");
   const double middle = d.joints.at[jHead].z() + d.tall(0.002);
   face.glabella = middle + 0.5 * length;
   face.occiput = middle - 0.5 * length;
-  face.half = 0.5 * d.length("headbreadth");
+  face.half = 0.5 * kRoundHead * d.length("headbreadth");
   return face;
 }
 
@@ -161,10 +169,10 @@ Loft drawHead(const Drawn& d) {
   const double n = 2.18 * d.fit.head;
   const auto y = [&](double t) { return c.chinY + t * lower; };
   const std::array sections{
-      Section{y(0.05), 0.32 * cheek * jaw, g - c.deep(0.012), g - c.deep(0.075), 0.45, 2.3, 0.0},
-      Section{y(0.18), 0.56 * cheek * jaw, g - c.deep(0.005), g - c.deep(0.115), 0.40, 2.35, 0.0},
-      Section{y(0.36), 0.745 * cheek * jaw, g - c.deep(0.001), g - c.deep(0.150), 0.38, 2.35, 0.0},
-      Section{y(0.58), 0.86 * cheek, g - c.deep(0.004), g - c.deep(0.176), 0.42, 2.3, 0.0},
+      Section{y(0.05), 0.36 * cheek * jaw, g - c.deep(0.012), g - c.deep(0.075), 0.45, 2.3, 0.0},
+      Section{y(0.18), 0.61 * cheek * jaw, g - c.deep(0.005), g - c.deep(0.115), 0.40, 2.35, 0.0},
+      Section{y(0.36), 0.79 * cheek * jaw, g - c.deep(0.001), g - c.deep(0.150), 0.38, 2.35, 0.0},
+      Section{y(0.58), 0.885 * cheek, g - c.deep(0.004), g - c.deep(0.176), 0.42, 2.3, 0.0},
       Section{y(0.80), 0.965 * cheek, g - c.deep(0.008), o + c.deep(0.010), 0.46, 2.3, 0.0},
       Section{y(1.00), 0.955 * c.half, g - c.deep(0.010), o + c.deep(0.002), 0.46, 2.25, 0.0},
       Section{c.eyeY + 0.16 * upper, 0.985 * c.half, g, o, 0.45, n, 0.0},
@@ -239,20 +247,25 @@ Loft drawLeg(const Drawn& d) {
   const double rC = d.girth("calfcircumference") / 6.2832 * d.fit.calf;
   const double rA = d.girth("anklecircumference") / 6.2832 * d.fit.ankle;
   const double flesh = d.fit.flesh;
+  const double soft = 0.3 + 0.7 * flesh;
   // The thighs' inner sides keep a hand's breadth less than nothing between them: 9 mm either side of the middle.
   const double groinAxis = j.at[jHip].x() + down(crotch - 0.03 * thigh) * frame.axis.x();
-  const double halfThigh = std::min(0.83 * rT, 0.0985 * d.stature() / 1.755);
+  // Its outer side carries on the hip's.
+  const double outer = 0.537 * d.girth("hipbreadth") * d.fit.hip.girth;
+  const double halfThigh = std::clamp(0.5 * (outer - d.tall(0.0095)), 0.76 * rT, 0.95 * rT);
   const double thighDepth = std::max(rT * 1.13, std::sqrt(std::max(0.0, 2.0 * rT * rT - halfThigh * halfThigh)));
   const double aside = d.tall(0.0095) + halfThigh - groinAxis;
   const std::array sections{
-      Section{down(crotch + 0.22 * thigh), 0.60 * halfThigh, 0.62 * thighDepth, -0.70 * thighDepth, 0.5, 2.2,
-              aside - 0.10 * halfThigh},
-      Section{down(crotch + 0.08 * thigh), 0.90 * halfThigh, 0.80 * thighDepth, -0.90 * thighDepth, 0.5, 2.2,
+      Section{down(crotch + 0.22 * thigh), 0.62 * halfThigh, 0.74 * thighDepth, -0.80 * thighDepth, 0.5, 2.2,
+              aside - 0.12 * halfThigh},
+      Section{down(crotch + 0.08 * thigh), 0.93 * halfThigh, 0.88 * thighDepth, -1.02 * thighDepth, 0.5, 2.2,
               aside - 0.02 * halfThigh},
-      Section{down(crotch - 0.03 * thigh), halfThigh, 0.90 * thighDepth, -1.10 * thighDepth, 0.5, 2.15, aside},
-      Section{down(crotch - 0.14 * thigh), halfThigh, 0.89 * thighDepth, -1.02 * thighDepth, 0.5, 2.15, aside},
-      Section{down(crotch - 0.42 * thigh), 0.775 * rT * flesh, 0.90 * rT * flesh, -0.86 * rT * flesh, 0.5, 2.1,
+      Section{down(crotch - 0.03 * thigh), halfThigh, 0.90 * thighDepth, -1.08 * thighDepth, 0.5, 2.15, aside},
+      Section{down(crotch - 0.14 * thigh), 0.985 * halfThigh, 0.89 * thighDepth, -1.02 * thighDepth, 0.5, 2.15, aside},
+      Section{down(crotch - 0.42 * thigh), 0.76 * rT * soft, 0.90 * rT * soft, -0.86 * rT * soft, 0.5, 2.1,
               0.55 * aside},
+      Section{down(crotch - 0.57 * thigh), 0.50 * rT * soft + 0.40 * rK, 0.52 * rT * soft + 0.42 * rK,
+              -0.50 * rT * soft - 0.41 * rK, 0.5, 2.1, 0.2 * aside},
       Section{down(crotch - 0.70 * thigh), 1.04 * rK, 1.04 * rK, -1.02 * rK, 0.5, 2.1, 0.0},
       Section{down(knee + 0.07 * shank), 0.90 * rK, 0.98 * rK, -0.90 * rK, 0.5, 2.25, -0.002},
       Section{down(knee - 0.05 * shank), 0.875 * rC, 0.86 * rC, -0.93 * rC, 0.5, 2.25, -0.001},
@@ -261,7 +274,7 @@ Loft drawLeg(const Drawn& d) {
       Section{down(knee - 0.74 * shank), 1.06 * rA * flesh, 1.05 * rA, -1.18 * rA * flesh, 0.5, 2.1, 0.0},
       Section{down(knee - 0.90 * shank), 0.92 * rA, 1.00 * rA, -1.06 * rA, 0.5, 2.1, 0.0},
       Section{down(ankle - 0.02 * shank), 1.02 * rA, 1.10 * rA, -1.12 * rA, 0.5, 2.1, 0.0}};
-  return {frame, sections, 0.4 * thighDepth, 0.02, d.tall(0.020)};
+  return {frame, sections, 0.4 * thighDepth, 0.02, d.tall(0.026)};
 }
 
 LoftFrame footFrame(const Drawn& d) {
@@ -355,9 +368,9 @@ BodyField::BodyField(const Anthropometry& sizes, const BodyJoints& joints, const
   const double eyeX = joints.at[jEye].x();
   const double soft = female_ ? 0.6 : 1.0;  // how marked brow and chin are
   const double lower = face.eyeY - face.chinY;
-  noseTop_ = Vec3d(0.0, face.eyeY + tall(0.002), g - tall(0.008));
+  noseTop_ = Vec3d(0.0, face.eyeY + tall(0.002), g - tall(0.011));
   noseTip_ = Vec3d(0.0, face.chinY + 0.565 * lower, g + tall(female_ ? 0.009 : 0.012));
-  ear_ = Vec3d(face.half + tall(0.001), face.chinY + 0.80 * lower, 0.5 * (g + face.occiput) + tall(0.004));
+  ear_ = Vec3d(face.half - tall(0.003), face.chinY + 0.80 * lower, 0.5 * (g + face.occiput) + tall(0.004));
   headHeaps_ = {
       // eye sockets, lids, brow
       {{eyeX, face.eyeY, g - tall(0.014)}, {tall(0.018), tall(0.012), tall(0.020)}, -tall(0.011)},
@@ -443,14 +456,14 @@ double BodyField::trunk(const Vec3d& mirrored) const {
 
 double BodyField::head(const Vec3d& mirrored) const {
   double field = heaped(head_.field(mirrored), mirrored, headHeaps_);
-  const double bridge = taperedCapsule(mirrored, noseTop_, noseTip_, 0.0065 * size_, 0.0105 * size_);
+  const double bridge = taperedCapsule(mirrored, noseTop_, noseTip_, 0.0055 * size_, 0.0100 * size_);
   const double wing =
       ellipsoidField(mirrored, noseTip_ + Vec3d(0.0105, -0.002, -0.009) * size_, Vec3d(0.0085, 0.0085, 0.0125) * size_);
   field = smoothUnion(field, smoothUnion(bridge, wing, 0.008 * size_), 0.014 * size_);
   // The ear's shell stands off a little behind.
   const Vec3d toEar = mirrored - ear_;
   const Vec3d turned(toEar.x() + 0.30 * toEar.z(), toEar.y() - 0.15 * toEar.z(), toEar.z() + 0.15 * toEar.y());
-  const double ear = ellipsoidField(turned, Vec3d::Zero(), Vec3d(0.0085, 0.031, 0.0175) * size_);
+  const double ear = ellipsoidField(turned, Vec3d::Zero(), Vec3d(0.0075, 0.0285, 0.0160) * size_);
   return smoothUnion(field, ear, 0.008 * size_);
 }
 
@@ -496,13 +509,15 @@ double BodyField::withoutArms(const Vec3d& p) const {
     field = smoothUnion(field, head(mirrored), 0.022 * size_);
   }
   if (mirrored.y() < joints_.at[jL5S1].y() + 0.1 * size_) {
-    field = smoothUnion(field, leg(mirrored), 0.045 * size_);
+    // A wide fillet in the groin; at the outside, where hip and thigh lie on each other, it would only pad them.
+    const double fillet = 0.032 + 0.013 * (1.0 - smoothStep(0.08, 0.15, mirrored.x() / size_));
+    field = smoothUnion(field, leg(mirrored), fillet * size_);
   }
   return field;
 }
 
 double BodyField::whole(const Vec3d& p) const {
-  return smoothUnion(withoutArms(p), arm(mirroredToLeft(p)), 0.030 * size_);
+  return smoothUnion(withoutArms(p), arm(mirroredToLeft(p)), 0.018 * size_);
 }
 
 }  // namespace lorica::manikin

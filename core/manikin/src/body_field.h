@@ -19,6 +19,7 @@ struct BodyFit {
     double breadth = 1.0;
     double depth = 1.0;
     double squareness = 2.4;
+    double girth = 1.0;  ///< wanted, over the survey's
   };
   Belt chest;
   Belt waist;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lorica/manikin/body.h"
 #include "tape.h"
 
 namespace lorica::manikin {
@@ -10,15 +11,15 @@ namespace {
 
 using With = GrowsWith;
 
-/// A level around which a tape is laid, and where the inside is.
-struct Level {
-  Vec3d inside;
-  double girth;
-};
-
+/// The girths of a percentile do not belong to one person, so all of them leave the survey's a little the way the mass
+/// asks for: 2 % at the median, 5 % at the 5th and 95th percentile.
 class Fitter {
  public:
-  Fitter(const Anthropometry& sizes, const BodyJoints& joints) : sizes_(sizes), joints_(joints) {}
+  Fitter(const Anthropometry& sizes, const BodyJoints& joints)
+      : sizes_(sizes),
+        joints_(joints),
+        leeway_(kLeast +
+                0.030 * std::min(1.0, std::max(std::abs(sizes.statureScore()), std::abs(sizes.buildScore())))) {}
 
   /// One round: reads everything, then corrects everything by what was read.
   void tape(BodyFit& fit) const {
@@ -27,17 +28,20 @@ class Fitter {
     const auto leg = [&](const Vec3d& p) { return p.x() > 0.0 ? body.withoutArms(p) : 1.0; };
     const auto arm = [&](const Vec3d& p) { return body.arm(p); };
     // The survey's chest is so narrow for its girth that only a box would have both; the tolerance is shared out.
-    belt(fit.chest, tapeAround(trunk, level("chestheight")), "chest", 1.022, 0.982);
-    belt(fit.waist, tapeAround(trunk, level("waistheightomphalion")), "waist", 1.0, 1.0);
-    belt(fit.hip, tapeAround(trunk, level("buttockheight")), "hip", 1.0, 1.0);
+    const double lean = std::clamp((fit.flesh - 1.0) / kFullLeeway, -1.0, 1.0);
+    const double more = 1.0 + lean * leeway_;
+    const double chest = 1.0 + lean * std::max(leeway_ - kLeast, 0.0);
+    belt(fit.chest, tapeAround(trunk, level("chestheight")), "chest", 1.026 * chest, 0.978 * chest);
+    belt(fit.waist, tapeAround(trunk, level("waistheightomphalion")), "waist", more, more);
+    belt(fit.hip, tapeAround(trunk, level("buttockheight")), "hip", more, more);
 
     const auto scale = [&](double& value, double read, const char* dimension, With with) {
-      value *= std::clamp(sizes_.size(dimension, with) / read, 0.8, 1.25);
+      value *= std::clamp(more * sizes_.size(dimension, with) / read, 0.8, 1.25);
     };
-    scale(fit.neck, neckGirth(body), "neckcircumference", With::build);
+    scale(fit.neck, more * neckGirth(body), "neckcircumference", With::build);
     const Vec3d brow(0.0, joints_.at[jEye].y() + 0.27 * (sizes_.person().stature - joints_.at[jEye].y()), -0.02);
-    // A squarer section is longer around: half a per cent of girth for each two of the exponent.
-    fit.head *= std::pow(sizes_.size("headcircumference", With::stature) / tapeAround(trunk, brow).girth, 4.0);
+    // A squarer section is longer around.
+    fit.head *= std::pow(0.985 * sizes_.size("headcircumference", With::stature) / tapeAround(trunk, brow).girth, 4.0);
     const Vec3d upper = joints_.at[jElbow] - joints_.at[jGlenohumeral];
     const Vec3d lower = joints_.at[jWrist] - joints_.at[jElbow];
     scale(fit.upperArm, across(arm, joints_.at[jGlenohumeral] + 0.54 * upper, upper), "bicepscircumferenceflexed",
@@ -60,6 +64,7 @@ class Fitter {
 
   void belt(BodyFit::Belt& belt, const TapeReading& read, const std::string& name, double more, double girth) const {
     const bool hip = name == "hip";
+    belt.girth = girth;
     belt.breadth *= more * sizes_.size(name + "breadth", With::build) / read.breadth;
     belt.depth *= more * sizes_.size(hip ? "buttockdepth" : name + "depth", With::build) / read.depth;
     const double wanted = girth * sizes_.size(hip ? "buttockcircumference" : name + "circumference", With::build);
@@ -67,7 +72,7 @@ class Fitter {
     const double scaled = read.girth * 0.5 *
                           (more * sizes_.size(name + "breadth", With::build) / read.breadth +
                            more * sizes_.size(hip ? "buttockdepth" : name + "depth", With::build) / read.depth);
-    belt.squareness = std::clamp(belt.squareness * std::pow(wanted / scaled, 5.0), 1.9, 7.0);
+    belt.squareness = std::clamp(belt.squareness * std::pow(wanted / scaled, 5.0), 1.9, 11.0);
   }
 
   /// Girth at a right angle to a limb.
@@ -93,8 +98,12 @@ class Fitter {
     return across([&](const Vec3d& p) { return body.withoutArms(p); }, place, high - low);
   }
 
+  static constexpr double kLeast = 0.020;
+  static constexpr double kFullLeeway = 0.10;
+
   const Anthropometry& sizes_;
   const BodyJoints& joints_;
+  double leeway_;  ///< how far girths may leave the survey's for the sake of the mass, as a share
 };
 
 }  // namespace

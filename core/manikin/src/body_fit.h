@@ -1,13 +1,11 @@
 #pragma once
 
+#include <functional>
+
 #include "body_field.h"
 #include "lorica/base/parallel.h"
 
 namespace lorica::manikin {
-
-/// Tissue and the air in the lungs, m3: mass over the mean density of ICRP 89's reference person without lung air,
-/// plus the air of lungs of the reference volume (resources/tables/organs.csv), scaled with stature cubed.
-double bodyVolume(const human::Person& person);
 
 /// Volume inside a field, m3, to about 0.2 %.
 double volumeInside(const std::function<double(const Vec3d&)>& field, const geometry::Box3d& box, double cell,

@@ -99,6 +99,8 @@ BodyJoints bodyJoints(const Anthropometry& sizes) {
   at[jJaw] = place("jaw_TMJ");
   at[jEye] = place("eye_L");
   at[jEye].x() = 0.5 * sizes.size("interpupillarybreadth", GrowsWith::stature);
+  // The middle of the eyeball; the table's depth is that of the cornea.
+  at[jEye].z() -= 0.0065 * person.stature;
   at[jSternoclavicular] = place("sternoclavicular_L");
 
   // Shoulders are as broad as the survey's, not as stature alone would have them.
@@ -151,7 +153,8 @@ BodyJoints bodyJoints(const Anthropometry& sizes) {
   at[jHip] = place("hip_L");
   at[jKnee] = place("knee_L");
   at[jAnkle] = place("ankle_L");
-  at[jSubtalar] = place("subtalar_L");
+  // Under the ankle, where anatomy has it; the table's place is the origin of the heel bone's frame.
+  at[jSubtalar] = at[jAnkle] + person.stature * Vec3d(0.0, -0.0140, -0.0070);
   at[jToe] = place("toe_MTP_L");
   // The feet a little apart and turned out: the whole leg turns about the hip.
   const double stance = 0.0381 * person.stature;  // further out at the ankle than the table has it

@@ -9,6 +9,9 @@ namespace lorica::parenting {
 BodyRig::BodyRig(Body body, const RigOptions& options, base::Threads threads, const base::Progress& progress)
     : body_(std::make_unique<const Body>(std::move(body))) {
   LORICA_CHECK(body_->skeleton.has_value() == body_->weights.has_value(), "skeleton and weights come together");
+  if (body_->weights && options.skinning == human::Skinning::rotationCentres) {
+    centres_ = human::rotationCentres(body_->skin, *body_->weights, threads);
+  }
   topology_ = raycast::makeTopology(body_->skin);
   restScene_ = std::make_unique<raycast::Scene>(raycast::SceneUse::manyRays);
   skinMesh_ = restScene_->add(body_->skin.positions, topology_);
@@ -39,7 +42,7 @@ void BodyRig::poseInto(const std::optional<human::Pose>& pose, base::Threads thr
   posed.skin.resize(body_->skin.positions.size());
   if (pose && body_->skeleton) {
     const auto deltas = human::skinningDeltas(*body_->skeleton, *pose);
-    human::skin(body_->skin.positions, *body_->weights, deltas, posed.skin, threads);
+    human::skin(body_->skin.positions, *body_->weights, centres_, deltas, posed.skin, threads);
     posed.joints = carryJoints(*body_->skeleton, *pose);
   } else {
     std::copy(body_->skin.positions.begin(), body_->skin.positions.end(), posed.skin.begin());

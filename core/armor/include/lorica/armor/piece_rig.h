@@ -23,6 +23,7 @@ struct PieceRig {
   std::size_t site = 0;                       ///< index into BodyRig::sites(), for rigid pieces
   bool hasSite = false;                       ///< false when the body has no site: the piece stays
   std::optional<human::SkinWeights> weights;  ///< for skinned pieces
+  std::vector<geometry::Vec3f> centres;       ///< of human::skin(), those of the nearest skin; none when it has none
   base::Issues issues;
 };
 
@@ -35,11 +36,11 @@ PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriag
                    const human::Skeleton* ownSkeleton, base::Threads threads);
 
 /// What a pose gives soft pieces; the same for all of them.
-std::vector<human::SkinningDelta> pieceDeltas(const parenting::BodyRig& body, const std::optional<human::Pose>& pose);
+human::SkinningDeltas pieceDeltas(const parenting::BodyRig& body, const std::optional<human::Pose>& pose);
 
 /// The piece's vertices in a pose; at rest every vertex keeps its bits.
 /// \param deltas of pieceDeltas() for the same pose
-void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, std::span<const human::SkinningDelta> deltas,
+void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, const human::SkinningDeltas& deltas,
                std::span<geometry::Vec3f> posed, base::Threads threads);
 
 }  // namespace lorica::armor

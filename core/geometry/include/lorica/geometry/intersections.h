@@ -30,6 +30,8 @@ struct TrianglePair {
   std::uint32_t first = 0;
   std::uint32_t second = 0;
 
+  // The 0 that a defaulted comparison is rewritten with is the compiler's own.
+  // NOLINTNEXTLINE(modernize-use-nullptr)
   friend auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
 };
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "lorica/human/regions.h"
+#include "lorica/human/rotation_centres.h"
 #include "lorica/human/skinning.h"
 #include "lorica/parenting/interior_sites.h"
 #include "lorica/parenting/joint_parenting.h"
@@ -32,6 +33,7 @@ struct PosedBody {
 struct RigOptions {
   double siteSpacing = 0.04;  ///< metres
   bool thesisSites = true;    ///< also place the sites the thesis' settings ask for
+  human::Skinning skinning = human::Skinning::rotationCentres;
 };
 
 /// Immutable; const functions are thread-safe.
@@ -41,6 +43,8 @@ class BodyRig {
   BodyRig(Body body, const RigOptions& options, base::Threads threads, const base::Progress& progress = {});
 
   const Body& body() const { return *body_; }
+  /// Of human::skin(), one per vertex of the skin; none with linear skinning or without a skeleton.
+  std::span<const geometry::Vec3f> centres() const { return centres_; }
   const std::vector<SkinSite>& sites() const { return sites_.sites; }
   const std::vector<SkinSite>& thesisSites() const { return thesisSites_.sites; }
   const base::Issues& issues() const { return issues_; }
@@ -58,6 +62,7 @@ class BodyRig {
 
  private:
   std::unique_ptr<const Body> body_;
+  std::vector<geometry::Vec3f> centres_;
   std::shared_ptr<const raycast::MeshTopology> topology_;
   std::unique_ptr<raycast::Scene> restScene_;
   raycast::MeshIndex skinMesh_;

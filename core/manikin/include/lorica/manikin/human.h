@@ -1,0 +1,43 @@
+#pragma once
+
+/// \file
+/// The built-in human, whole: body, motions, organs and armor of a person.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lorica/base/parallel.h"
+#include "lorica/base/progress.h"
+#include "lorica/human/clip.h"
+#include "lorica/manikin/armor_systems.h"
+#include "lorica/manikin/body.h"
+#include "lorica/manikin/organs.h"
+
+namespace lorica::manikin {
+
+struct Human {
+  Body body;
+  std::vector<human::Clip> clips;    ///< taskClips()
+  std::vector<Organ> organs;         ///< organsOf()
+  std::vector<ArmorSystem> systems;  ///< armorOf()
+};
+
+/// Makes everything anew. The same bytes at any number of threads.
+/// Cost: some ten seconds on two cores.
+/// \throw base::InputError as checkPerson(), base::Cancelled
+Human makeHuman(const human::Person& person, base::Threads threads, const base::Progress& progress = {});
+
+/// A human as bytes of the program's own, for keeping; readHuman() gives back the same one, the motions made anew.
+std::string humanBytes(const Human& human);
+/// \param name what errors call the bytes
+/// \throw base::InputError when the bytes are damaged or of another version of the program
+Human readHuman(std::string_view bytes, const std::string& name);
+
+/// The human of a person from the folder where they are kept, else made anew and kept there; one that cannot be read is
+/// made anew, one that cannot be kept is given all the same. The folder is $LORICA_CACHE, else lorica in
+/// $XDG_CACHE_HOME or ~/.cache. \throw as makeHuman()
+Human keptHuman(const human::Person& person, base::Threads threads, const base::Progress& progress = {});
+
+}  // namespace lorica::manikin

@@ -1,0 +1,51 @@
+#include "lorica/manikin/body.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "body_fit.h"
+#include "body_mesh.h"
+#include "body_weights.h"
+#include "lorica/base/error.h"
+#include "lorica/stats/intervals.h"
+
+namespace lorica::manikin {
+
+void checkPerson(const human::Person& person, const PersonLimits& limits) {
+  if (!(person.stature >= limits.leastStature && person.stature <= limits.greatestStature)) {
+    throw base::InputError("", "stature",
+                           fmt::format("expected {:.2f} to {:.2f} m, found {:.4g} m", limits.leastStature,
+                                       limits.greatestStature, person.stature));
+  }
+  const double perBmi = person.stature * person.stature;
+  const double least = limits.leastBmi * perBmi;
+  const double greatest = limits.greatestBmi * perBmi;
+  if (!(person.mass >= least && person.mass <= greatest)) {
+    throw base::InputError("", "mass",
+                           fmt::format("expected {:.0f} to {:.0f} kg for a stature of {:.2f} m, found {:.4g} kg",
+                                       std::ceil(least), std::floor(greatest), person.stature, person.mass));
+  }
+}
+
+human::Person personAtPercentile(human::Sex sex, double percentile) {
+  LORICA_CHECK(percentile > 0.0 && percentile < 100.0, "a percentile lies between 0 and 100");
+  constexpr double scoreOf95 = 1.6448536269514722;
+  const double score = stats::normalQuantile(percentile / 100.0) / scoreOf95;
+  return {sex, surveyValue(sex, "stature", score), surveyValue(sex, "weightkg", score)};
+}
+
+Body makeBody(const human::Person& person, base::Threads threads) {
+  checkPerson(person);
+  const Anthropometry sizes(person);
+  const BodyJoints joints = bodyJoints(sizes);
+  const BodyField field(sizes, joints, fitBody(sizes, joints, threads));
+  Body body;
+  body.person = person;
+  body.skin = skinMesh(sizes, joints, field, threads);
+  body.weights = bodyWeights(body.skin, sizes, joints, field, threads);
+  body.skeleton = bodySkeleton(joints);
+  return body;
+}
+
+}  // namespace lorica::manikin

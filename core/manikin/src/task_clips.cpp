@@ -1,0 +1,85 @@
+#include "lorica/manikin/task_clips.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tasks.h"
+
+namespace lorica::manikin {
+
+namespace {
+
+std::vector<Task> tasksOf(const Figure& figure) {
+  return {toeTouch(figure), bellyTwist(), lateralTwist(), squat(), kneelAim(),
+          proneAim(),       armRaise(),   walk(figure),   sit()};
+}
+
+/// Channels of what moves: every part's rotation and the pelvis' place.
+human::Clip keyed(const Figure& figure, const human::Skeleton& skeleton, const Task& task) {
+  const int last = static_cast<int>(std::lround(task.duration * task.keysPerSecond));
+  std::vector<human::Pose> poses;
+  std::vector<double> times;
+  for (int key = 0; key <= last; ++key) {
+    const double u = static_cast<double>(key) / last;
+    times.push_back(u * task.duration);
+    poses.push_back(figure.pose(task.stance(figure, u)));
+  }
+  human::Clip clip{task.name, {}};
+  const auto add = [&](human::JointIndex joint, human::ChannelPath path, const auto& valueOf) {
+    human::Channel channel{joint, path, human::Interpolation::linear, times, {}};
+    for (const human::Pose& pose : poses) {
+      Eigen::Vector4d value = valueOf(pose.local[joint.value]);
+      if (path == human::ChannelPath::rotation && !channel.values.empty() && channel.values.back().dot(value) < 0.0) {
+        value = -value;
+      }
+      channel.values.push_back(value);
+    }
+    const Eigen::Vector4d rest = valueOf(skeleton.joint(joint).rest);
+    if (std::any_of(channel.values.begin(), channel.values.end(), [&](const auto& value) { return value != rest; })) {
+      clip.channels.push_back(std::move(channel));
+    }
+  };
+  add(figure.joint(Role::pelvis, Side::middle), human::ChannelPath::translation, [](const human::Trs& local) {
+    return Eigen::Vector4d(local.translation.x(), local.translation.y(), local.translation.z(), 0.0);
+  });
+  for (const human::Part& part : figure.frames().parts()) {
+    add(part.joint, human::ChannelPath::rotation,
+        [](const human::Trs& local) { return Eigen::Vector4d(local.rotation.coeffs()); });
+  }
+  return clip;
+}
+
+}  // namespace
+
+TaskOptions measuredOn(const Body& body) {
+  TaskOptions options;
+  options.stature = body.person.stature;
+  if (!body.skin.positions.empty()) {
+    double lowest = body.skin.positions.front().y();
+    for (const geometry::Vec3f& position : body.skin.positions) {
+      lowest = std::min(lowest, static_cast<double>(position.y()));
+    }
+    options.floor = lowest;
+  }
+  return options;
+}
+
+std::vector<human::Clip> taskClips(const human::Skeleton& skeleton, const human::RoleMap& roles,
+                                   const TaskOptions& options) {
+  const Figure figure(skeleton, roles, options);
+  std::vector<human::Clip> clips;
+  for (const Task& task : tasksOf(figure)) {
+    clips.push_back(keyed(figure, skeleton, task));
+  }
+  return clips;
+}
+
+std::vector<std::string> taskClipNames() {
+  return {"toe_touch", "belly_twist", "lateral_twist", "squat", "kneel_aim", "prone_aim", "arm_raise", "walk", "sit"};
+}
+
+double walkingSpeed(const human::Skeleton& skeleton, const human::RoleMap& roles, const TaskOptions& options) {
+  return walkSpeed(Figure(skeleton, roles, options));
+}
+
+}  // namespace lorica::manikin
