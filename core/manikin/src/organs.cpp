@@ -137,6 +137,7 @@ class Builder {
       for (std::size_t i = 0; i < shape.size(); ++i) {
         lattice.values[i] = std::max(lattice.values[i], limits[i] - slack);
       }
+      closeBox(lattice);
     };
     double by = 0.0;
     if (volume > 0.0) {
@@ -157,6 +158,22 @@ class Builder {
     }
     placed_.push_back(std::move(lattice));
     return mesh;
+  }
+
+  /// Outside at the lattice's own faces, so that every surface in it closes.
+  static void closeBox(Lattice& lattice) {
+    for (std::size_t k = 0; k < lattice.points[2]; ++k) {
+      for (std::size_t j = 0; j < lattice.points[1]; ++j) {
+        for (std::size_t i = 0; i < lattice.points[0]; ++i) {
+          const bool face = i == 0 || j == 0 || k == 0 || i + 1 == lattice.points[0] || j + 1 == lattice.points[1] ||
+                            k + 1 == lattice.points[2];
+          if (face) {
+            double& value = lattice.values[lattice.index(i, j, k)];
+            value = std::max(value, lattice.cell);
+          }
+        }
+      }
+    }
   }
 
   Box3d bodyBox(const OrganRecipe& recipe) const {
@@ -200,6 +217,12 @@ class Builder {
           Surroundings around = surroundings();
           around.gap = recipe.gap;
           around.skinDepth = recipe.depth;
+          Lattice vessels = Lattice::over(lattice.box(), 0.004);
+          std::fill(vessels.values.begin(), vessels.values.end(), 0.03);
+          for (const std::vector<Station>& vessel : tubes_) {
+            stampTube(vessels, vessel, 0.03);
+          }
+          around.solids.push_back(&vessels);
           settle(alone, around);
           there = std::move(alone.front());
         }
@@ -265,10 +288,14 @@ class Builder {
     return geometry::remeshed(mesh, options);
   }
 
-  /// Moves the surface along its normals by the last tenths of a millimetre.
+  /// Moves the surface along its normals by the last tenths of a millimetre; never so far that it meets a neighbour,
+  /// where the body has no room for more.
   static void adjustVolume(TriangleMesh& mesh, double volume) {
+    double left = 0.0004;
     for (int i = 0; i < 3; ++i) {
-      const double by = (volume - geometry::signedVolume(mesh)) / geometry::area(mesh);
+      const double wanted = (volume - geometry::signedVolume(mesh)) / geometry::area(mesh);
+      const double by = std::clamp(wanted, -left, left);
+      left -= std::abs(by);
       const std::vector<geometry::Vec3f> normals = geometry::vertexNormals(mesh.positions, mesh.triangles);
       for (std::size_t v = 0; v < normals.size(); ++v) {
         mesh.positions[v] += static_cast<float>(by) * normals[v];
