@@ -285,6 +285,8 @@ TEST(OrgansOfTheMedianMan, LieWhereAnAnatomistLooksForThem) {
   EXPECT_GT(man.box("large_intestine").max().y(), man.box("small_intestine").max().y());
   // The heart's shadow is about as wide as the rule says.
   EXPECT_NEAR(man.box("heart").sizes().x() / heartTransverseDiameter(man.body.person), 1.0, 0.10);
+  EXPECT_GT(cardiothoracicRatio(man.body, man.organs), 0.40);
+  EXPECT_LT(cardiothoracicRatio(man.body, man.organs), 0.56);
   // Eyes at their joints.
   EXPECT_NEAR(man.box("eyes").center().y(), man.joint("eye_L").y(), 0.004);
   EXPECT_NEAR(man.box("eyes").max().x(), man.joint("eye_L").x() + 0.012, 0.004);

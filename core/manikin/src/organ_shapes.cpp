@@ -28,7 +28,7 @@ double diaphragm(double x, double z) {
     return top - drop * (u * u + v * v) - 2.2 * back * back;
   };
   const double right = dome(1.302, -0.068, 0.064, 0.055);
-  const double left = dome(1.284, 0.074, 0.060, 0.055);
+  const double left = dome(1.268, 0.074, 0.060, 0.050);
   const double tendon = 1.250 - 0.055 * (x - 0.005) * (x - 0.005) / (0.06 * 0.06) - 0.02 * (z / 0.085) * (z / 0.085);
   return smoothIntersection(smoothIntersection(right, left, 0.03), tendon, 0.03);
 }
@@ -102,7 +102,7 @@ double heartShape(const Vec3d& p) {
 double lungLeftShape(const Vec3d& p) {
   double field = lungBody(p, 0.009);
   // The heart's notch in the front edge; the lingula comes back below it.
-  const double notch = ellipsoidField(p, {0.028, 1.270, 0.070}, {0.046, 0.040, 0.040});
+  const double notch = ellipsoidField(p, {0.026, 1.272, 0.072}, {0.038, 0.036, 0.036});
   field = smoothIntersection(field, -notch, 0.010);
   field = smoothIntersection(field, lungBase(p) - p.y(), 0.010);
   return field;

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "lorica/base/error.h"
 #include "lorica/geometry/closest_point.h"
 #include "lorica/geometry/intersections.h"
 #include "lorica/geometry/measures.h"
@@ -23,6 +24,12 @@ namespace {
 
 using geometry::Box3d;
 using geometry::TriangleMesh;
+
+/// Between the ribs' inner faces, m.
+double innerChestBreadth(const AnatomyFrame& frame) {
+  constexpr double wall = 0.018;  // skin, muscle and rib on each side
+  return 2.0 * (frame.chestHalfBreadth() - wall);
+}
 
 /// Makes one organ after the other; each keeps clear of those before it.
 class Builder {
@@ -315,8 +322,7 @@ class Builder {
 
 std::vector<Organ> organsOf(const Body& body, const OrganOptions& options, const base::Progress& progress) {
   Builder builder(body, options);
-  constexpr double wall = 0.020;  // skin, muscle and ribs on each side
-  const double innerBreadth = 2.0 * (builder.frame().chestHalfBreadth() - wall);
+  const double innerBreadth = innerChestBreadth(builder.frame());
   std::map<std::string, TriangleMesh> made;
   const std::vector<OrganTarget> targets = organTargets(body.person, options, innerBreadth);
   const auto volumeOf = [&](std::string_view name) {
@@ -340,6 +346,12 @@ std::vector<Organ> organsOf(const Body& body, const OrganOptions& options, const
     organs.push_back({target.name, std::move(made[target.name]), target.volume, target.density, target.source});
   }
   return organs;
+}
+
+double cardiothoracicRatio(const Body& body, const std::vector<Organ>& organs) {
+  const auto heart = std::find_if(organs.begin(), organs.end(), [](const Organ& o) { return o.name == "heart"; });
+  LORICA_CHECK(heart != organs.end(), "the organs have a heart");
+  return geometry::bounds(heart->mesh.positions).sizes().x() / innerChestBreadth(AnatomyFrame(body));
 }
 
 }  // namespace lorica::manikin

@@ -79,4 +79,8 @@ struct Organ {
 /// \throw base::Cancelled
 std::vector<Organ> organsOf(const Body& body, const OrganOptions& options = {}, const base::Progress& progress = {});
 
+/// Breadth of the heart over the inner breadth of the chest; up to 0.5 on a radiograph of a healthy adult (Danzer
+/// 1919). \pre the organs are of the body
+double cardiothoracicRatio(const Body& body, const std::vector<Organ>& organs);
+
 }  // namespace lorica::manikin
