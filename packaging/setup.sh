@@ -12,7 +12,7 @@ engine='libembree-dev libtinygltf-dev libtbb-dev libeigen3-dev nlohmann-json3-de
   libspdlog-dev libssl-dev libzip-dev zipcmp zipmerge ziptool libboost-dev libvtk9-dev'
 tests='libgtest-dev librapidcheck-dev libbenchmark-dev'
 window='qt6-base-dev libqt6opengl6-dev|qt6-base-dev qt6-svg-dev|libqt6svg6-dev qt6-charts-dev|libqt6charts6-dev
-  libgl1-mesa-dri xvfb xauth fonts-dejavu-core poppler-utils dpkg-dev'
+  libmeshoptimizer-dev libgl1-mesa-dri xvfb xauth fonts-dejavu-core poppler-utils dpkg-dev'
 wanted="$build_tools $engine $tests $window"
 
 say() { printf 'setup: %s\n' "$*" >&2; }
@@ -66,7 +66,8 @@ setup: Lorica needs
   Embree 3.13, tinygltf 2.7, TBB 2021, Eigen 3.4, VTK 9.1, nlohmann-json 3.11, CLI11 2.1, fmt 9, spdlog 1.10,
   OpenSSL 3 (libcrypto), libzip 1.7, Boost 1.74 (headers)
   for the tests: GoogleTest 1.12, RapidCheck, Google Benchmark 1.7
-  for the window: Qt 6.4 (Widgets, OpenGLWidgets, Charts, Svg, PrintSupport, Test), Xvfb, Mesa, poppler-utils
+  for the window: Qt 6.4 (Widgets, OpenGLWidgets, Charts, Svg, PrintSupport, Test), meshoptimizer 0.18, Xvfb, Mesa,
+  poppler-utils
 LIST
   exit 1
 }

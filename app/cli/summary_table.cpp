@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lorica/base/readable.h"
+#include "lorica/study/reserved_names.h"
 
 namespace lorica::cli {
 
@@ -39,7 +40,7 @@ std::string summaryTable(const analysis::RunResult& result, const std::vector<Re
   const bool onlyUnarmored = result.systems.size() == 1;
   for (const ResultRow& head : rows) {
     const bool opensTable = head.structure == "body" && head.kind == "body" && head.model == rows.front().model;
-    if (!opensTable || (head.system == "unarmored" && !onlyUnarmored)) {
+    if (!opensTable || (head.system == study::unarmored && !onlyUnarmored)) {
       continue;
     }
     text += fmt::format("\nsource {}, pose {}, armor system {}\n", head.source, head.pose, head.system);

@@ -3,25 +3,22 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QIcon>
-#include <QStyleFactory>
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
 
+#include "look.h"
 #include "lorica/study/provenance.h"
 #include "lorica/study/study_file.h"
 #include "main_window.h"
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  lorica::gui::useOwnLook();
   QApplication::setOrganizationName(QStringLiteral("lorica"));
   QApplication::setApplicationName(QStringLiteral("lorica"));
   QApplication::setApplicationVersion(QString::fromStdString(lorica::study::version()));
   QApplication::setDesktopFileName(QStringLiteral("lorica"));
-  Q_INIT_RESOURCE(icon);
-  QApplication::setWindowIcon(QIcon(QStringLiteral(":/lorica.svg")));
 
   QCommandLineParser parser;
   parser.setApplicationDescription(QApplication::translate("main", "Compares body armor on a posable digital human."));

@@ -39,6 +39,7 @@ using document::StudyDocument;
 
 constexpr int recentLimit = 8;
 constexpr int statusSeconds = 8;
+constexpr int belowHeight = 300;  ///< of the panels below the view when they open
 
 fs::path pathOf(const QString& text) {
   return fs::path(text.toStdU16String());
@@ -107,14 +108,15 @@ void MainWindow::makePanels() {
   QDockWidget* projectDock = dock(tr("Project"), "project", project_, Qt::LeftDockWidgetArea);
   QDockWidget* propertiesDock = dock(tr("Properties"), "properties", properties_, Qt::LeftDockWidgetArea);
   resultsDock_ = dock(tr("Results"), "results", results_, Qt::BottomDockWidgetArea);
-  QDockWidget* chartDock = dock(tr("Chart"), "chart", chart_, Qt::BottomDockWidgetArea);
+  chartDock_ = dock(tr("Chart"), "chart", chart_, Qt::BottomDockWidgetArea);
   problemsDock_ = dock(tr("Problems"), "problems", problems_, Qt::BottomDockWidgetArea);
   tabifyDockWidget(resultsDock_, problemsDock_);
-  resultsDock_->raise();
-  resizeDocks({projectDock, propertiesDock}, {420, 300}, Qt::Vertical);
+  resizeDocks({projectDock, propertiesDock}, {440, 300}, Qt::Vertical);
   resizeDocks({projectDock}, {320}, Qt::Horizontal);
-  resizeDocks({resultsDock_, chartDock}, {640, 480}, Qt::Horizontal);
-  resizeDocks({resultsDock_}, {330}, Qt::Vertical);
+  // The view has all the room until there is something to read below it.
+  for (QDockWidget* below : {resultsDock_, chartDock_, problemsDock_}) {
+    below->hide();
+  }
   shotLines_ = new dialogs::ShotLineDialog(document_, runs_, this);
 }
 
@@ -215,7 +217,8 @@ void MainWindow::makeAnalysisMenu() {
   bar->addAction(shotLines);
   bar->addAction(run);
   bar->addSeparator();
-  bar->addWidget(new ModelChooser(document_));
+  QAction* models = bar->addWidget(new ModelChooser(document_));
+  studyActions_ = {shotLines, run, models};
 }
 
 void MainWindow::makeStatusBar() {
@@ -224,12 +227,18 @@ void MainWindow::makeStatusBar() {
   progress_->setRange(0, 1000);
   progress_->setMaximumWidth(200);
   progress_->setTextVisible(false);
+  problemCount_ = new QToolButton;
+  problemCount_->setAutoRaise(true);
+  problemCount_->setToolTip(tr("What is odd about the study"));
+  problemCount_->hide();
+  connect(problemCount_, &QToolButton::clicked, this, &MainWindow::showProblems);
   cancel_ = new QToolButton;
   cancel_->setText(tr("Cancel"));
   timing_ = new QLabel;
   timing_->setToolTip(tr("Time to pose skin, organs and armor and to make them ready for rays; time to draw them"));
-  for (QWidget* widget : {static_cast<QWidget*>(working_), static_cast<QWidget*>(progress_),
-                          static_cast<QWidget*>(cancel_), static_cast<QWidget*>(timing_)}) {
+  for (QWidget* widget :
+       {static_cast<QWidget*>(working_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_),
+        static_cast<QWidget*>(problemCount_), static_cast<QWidget*>(timing_)}) {
     statusBar()->addPermanentWidget(widget);
   }
   connect(cancel_, &QToolButton::clicked, &runs_, &jobs::RunController::cancel);
@@ -241,6 +250,12 @@ void MainWindow::connectAll() {
     openedSample_ = false;
     engine_.setStudy(nullptr);
     view_->showFrame(nullptr);
+    timing_->clear();
+    if (document_.runs().empty()) {
+      resultsDock_->hide();
+      chartDock_->hide();
+    }
+    problemsDock_->setHidden(problemsDock_->isHidden() || !document_.hasStudy());
     updatePages();
   });
   connect(&document_, &StudyDocument::loadedChanged, this, [this] {
@@ -253,9 +268,11 @@ void MainWindow::connectAll() {
   connect(&engine_, &jobs::FrameEngine::failed, this,
           [this](const QString& text) { statusBar()->showMessage(text, 1000 * statusSeconds); });
   timeline_->setBusyCheck([this] { return engine_.isBusy(); });
-  settle_.setSingleShot(true);
-  settle_.setInterval(250);
-  connect(&settle_, &QTimer::timeout, this, [this] { view_->setMoving(false); });
+  connect(view_, &viewport::SceneView::drawn, this, [this](double ms) {
+    if (const auto& frame = view_->frame()) {
+      timing_->setText(tr("pose %1 ms, draw %2 ms").arg(frame->engineMs, 0, 'f', 1).arg(ms, 0, 'f', 0));
+    }
+  });
 
   connect(&loader_, &jobs::StudyLoader::started, this, [this] {
     connect(loader_.job(), &jobs::Job::progressed, this, &MainWindow::updateJobs);
@@ -268,7 +285,7 @@ void MainWindow::connectAll() {
   });
   connect(&runs_, &jobs::RunController::ended, this, &MainWindow::updateJobs);
   connect(&runs_, &jobs::RunController::finished, this, [this](bool partial) {
-    resultsDock_->raise();
+    showResults();
     statusBar()->showMessage(partial ? tr("The run was stopped; what was finished is kept and marked as partial.")
                                      : tr("The run is finished."),
                              1000 * statusSeconds);
@@ -282,9 +299,12 @@ void MainWindow::connectAll() {
     document_.select(document::ItemRef{document::ItemKind::organ, organ});
   });
   connect(problems_, &panels::ProblemsPanel::countChanged, this, [this](int errors, int warnings) {
-    problemsDock_->setWindowTitle(errors + warnings == 0 ? tr("Problems") : tr("Problems (%1)").arg(errors + warnings));
+    const int count = errors + warnings;
+    problemsDock_->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%1)").arg(count));
+    problemCount_->setText(count == 1 ? tr("1 problem") : tr("%1 problems").arg(count));
+    problemCount_->setVisible(count > 0);
     if (errors > 0) {
-      problemsDock_->raise();
+      showProblems();
     }
   });
   connect(&autosave_, &document::Autosave::failed, this,
@@ -539,6 +559,26 @@ void MainWindow::showShotLines() {
   shotLines_->activateWindow();
 }
 
+void MainWindow::showResults() {
+  const bool opens = resultsDock_->isHidden() && chartDock_->isHidden();
+  resultsDock_->show();
+  resultsDock_->raise();
+  if (opens) {
+    chartDock_->show();
+    resizeDocks({resultsDock_, chartDock_}, {660, 460}, Qt::Horizontal);
+    resizeDocks({resultsDock_}, {belowHeight}, Qt::Vertical);
+  }
+}
+
+void MainWindow::showProblems() {
+  const bool opens = problemsDock_->isHidden() && resultsDock_->isHidden();
+  problemsDock_->show();
+  problemsDock_->raise();
+  if (opens) {
+    resizeDocks({problemsDock_}, {belowHeight}, Qt::Vertical);
+  }
+}
+
 void MainWindow::requestFrame() {
   if (document_.loaded() == nullptr) {
     return;
@@ -550,7 +590,7 @@ void MainWindow::requestFrame() {
     request.shotSource = shots_.source;
     request.shotLimit = shots_.limit;
   }
-  view_->setMoving(true);
+  view_->expectFrame();
   engine_.request(std::move(request));
 }
 
@@ -559,8 +599,6 @@ void MainWindow::takeFrame(const std::shared_ptr<const jobs::Frame>& frame) {
     return;
   }
   view_->showFrame(frame);
-  timing_->setText(tr("pose %1 ms, draw %2 ms").arg(frame->engineMs, 0, 'f', 1).arg(view_->drawMs(), 0, 'f', 0));
-  settle_.start();
 }
 
 void MainWindow::updateTitle() {
@@ -570,6 +608,9 @@ void MainWindow::updateTitle() {
 
 void MainWindow::updatePages() {
   pages_->setCurrentIndex(document_.hasStudy() ? 1 : 0);
+  for (QAction* action : studyActions_) {
+    action->setEnabled(document_.hasStudy());
+  }
 }
 
 void MainWindow::updateJobs() {

@@ -3,6 +3,7 @@
 /// \file
 /// The window: it only wires the document, the jobs, the view, panels and dialogs together.
 
+#include <QList>
 #include <QMainWindow>
 #include <QStringList>
 #include <filesystem>
@@ -72,6 +73,9 @@ class MainWindow : public QMainWindow {
   void makeViewMenu();
   void makeAnalysisMenu();
   void makeStatusBar();
+  /// Opens the panels of results below the view, if they are not.
+  void showResults();
+  void showProblems();
   void connectAll();
   QDockWidget* dock(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
 
@@ -113,14 +117,16 @@ class MainWindow : public QMainWindow {
   panels::ProblemsPanel* problems_ = nullptr;
   dialogs::ShotLineDialog* shotLines_ = nullptr;
   QDockWidget* resultsDock_ = nullptr;
+  QDockWidget* chartDock_ = nullptr;
   QDockWidget* problemsDock_ = nullptr;
+  QList<QAction*> studyActions_;  ///< of the tool bar, nothing without a study
+  QToolButton* problemCount_ = nullptr;
   QMenu* panelsMenu_ = nullptr;
   QMenu* recentMenu_ = nullptr;
   QLabel* timing_ = nullptr;
   QLabel* working_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QToolButton* cancel_ = nullptr;
-  QTimer settle_;  ///< after the last frame of a motion the view is drawn in full
 };
 
 }  // namespace lorica::gui

@@ -10,6 +10,8 @@ find_package(CLI11 REQUIRED)
 find_package(OpenSSL REQUIRED)
 find_package(Threads REQUIRED)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore IOXML)
+# Of the window alone; LoricaVtkQt says when it is not here.
+find_package(meshoptimizer QUIET)
 
 if(LORICA_TESTS)
   find_package(GTest REQUIRED)

@@ -7,15 +7,15 @@
 #include "lorica/base/error.h"
 #include "lorica/geometry/primitives.h"
 #include "lorica/geometry/transform.h"
-#include "lorica/manikin/plain_human.h"
+#include "lorica/manikin/human.h"
 #include "plate_checks.h"
 
 namespace lorica::armor {
 namespace {
 
-const manikin::PlainHuman& person() {
-  static const manikin::PlainHuman human = manikin::plainHuman();
-  return human;
+const manikin::Body& person() {
+  static const manikin::Body body = manikin::keptHuman({}, {}).body;
+  return body;
 }
 
 bool hasSeverity(const base::Issues& issues, base::Severity severity) {
@@ -28,43 +28,43 @@ double notchOfPerson() {
   return person().skeleton.restPosition(*person().skeleton.find("sternoclavicular_L")).y() + 0.0029 * 1.755;
 }
 
-class PlateOnThePlainHuman : public testing::TestWithParam<PlateSide> {
+class PlateOnTheBuiltInHuman : public testing::TestWithParam<PlateSide> {
  protected:
   PlacedPlate placed_ = placePlate(person().skin, &person().skeleton, GetParam(), mediumSapi());
 };
-INSTANTIATE_TEST_SUITE_P(Sides, PlateOnThePlainHuman, testing::Values(PlateSide::front, PlateSide::back),
+INSTANTIATE_TEST_SUITE_P(Sides, PlateOnTheBuiltInHuman, testing::Values(PlateSide::front, PlateSide::back),
                          [](const auto& name) { return name.param == PlateSide::front ? "Front" : "Back"; });
 
-TEST_P(PlateOnThePlainHuman, RaisesNoIssue) {
+TEST_P(PlateOnTheBuiltInHuman, RaisesNoIssue) {
   EXPECT_TRUE(placed_.issues.empty()) << placed_.issues.front().line();
 }
 
-TEST_P(PlateOnThePlainHuman, LeavesTheSkinFree) {
+TEST_P(PlateOnTheBuiltInHuman, LeavesTheSkinFree) {
   expectOutside(placed_.mesh, person().skin);
 }
 
-TEST_P(PlateOnThePlainHuman, KeepsItsClearanceAndLiesFlat) {
+TEST_P(PlateOnTheBuiltInHuman, KeepsItsClearanceAndLiesFlat) {
   const Gaps gaps = gapsBehind(placed_.mesh, person().skin, GetParam());
   EXPECT_GT(gaps.smallest, 0.0075);
   EXPECT_LT(gaps.smallest, 0.015);
   EXPECT_LT(gaps.largest, 0.080);
 }
 
-TEST_P(PlateOnThePlainHuman, HasItsTopEdgeTwentyMillimetresBelowTheNotch) {
+TEST_P(PlateOnTheBuiltInHuman, HasItsTopEdgeTwentyMillimetresBelowTheNotch) {
   EXPECT_NEAR(topY(placed_.mesh), notchOfPerson() - 0.020, 0.001);
 }
 
-TEST_P(PlateOnThePlainHuman, IsCentredOnTheMidline) {
+TEST_P(PlateOnTheBuiltInHuman, IsCentredOnTheMidline) {
   EXPECT_NEAR(middleX(placed_.mesh), 0.0, 0.002);
 }
 
-TEST_P(PlateOnThePlainHuman, FacesAwayFromTheBody) {
+TEST_P(PlateOnTheBuiltInHuman, FacesAwayFromTheBody) {
   EXPECT_GT((GetParam() == PlateSide::front ? 1.0 : -1.0) * meanOutwardZ(placed_.mesh, GetParam()), 0.9);
   const double z = geometry::centroid(placed_.mesh).z();
   EXPECT_GT(GetParam() == PlateSide::front ? z : -z, 0.08);
 }
 
-TEST_P(PlateOnThePlainHuman, IsTheSpecsPlateMovedRigidly) {
+TEST_P(PlateOnTheBuiltInHuman, IsTheSpecsPlateMovedRigidly) {
   const geometry::TriangleMesh own = plate(mediumSapi());
   ASSERT_EQ(own.triangles, placed_.mesh.triangles);
   const auto distance = [](const geometry::TriangleMesh& mesh, std::size_t a, std::size_t b) {
@@ -76,7 +76,7 @@ TEST_P(PlateOnThePlainHuman, IsTheSpecsPlateMovedRigidly) {
   EXPECT_NEAR(geometry::signedVolume(placed_.mesh), geometry::signedVolume(own), 1e-8);
 }
 
-TEST_P(PlateOnThePlainHuman, MovesWithTheBody) {
+TEST_P(PlateOnTheBuiltInHuman, MovesWithTheBody) {
   const Vec3d move(0.3, -0.9, 0.2);
   geometry::TriangleMesh moved = person().skin;
   for (auto& p : moved.positions) {
@@ -89,7 +89,7 @@ TEST_P(PlateOnThePlainHuman, MovesWithTheBody) {
   }
 }
 
-TEST_P(PlateOnThePlainHuman, KeepsALargerClearanceWhenAsked) {
+TEST_P(PlateOnTheBuiltInHuman, KeepsALargerClearanceWhenAsked) {
   PlatePlacement loose;
   loose.clearance = 0.020;
   const PlacedPlate placed = placePlate(person().skin, &person().skeleton, GetParam(), mediumSapi(), loose);

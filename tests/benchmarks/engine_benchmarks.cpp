@@ -15,7 +15,7 @@ using namespace lorica;
 constexpr std::uint64_t shotsPerRound = 200000;
 
 const analysis::LoadedStudy& sample() {
-  static const analysis::LoadedStudy study = bench::refinedSample({2});
+  static const analysis::LoadedStudy study = bench::sampleScene({2});
   return study;
 }
 

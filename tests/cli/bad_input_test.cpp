@@ -143,7 +143,7 @@ TEST_F(BadStudy, WrongHash) {
 
 TEST_F(BadStudy, UnknownStructure) {
   auto study = json();
-  study["organs"][0]["builtin"] = "plain/gills";
+  study["organs"][0]["builtin"] = "human/gills";
   refused(study.dump(), {"/organs/0", "gills"});
 }
 

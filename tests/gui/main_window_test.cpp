@@ -5,16 +5,20 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QFile>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QProcess>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QUndoStack>
+#include <algorithm>
 #include <numeric>
 
 #include "lorica/analysis/results.h"
@@ -137,6 +141,145 @@ TEST_F(Window, ScrubbingDeformsWhatIsSeenAndRestComesBackToThePixel) {
   EXPECT_EQ(differing(rest, picture()), 0);
 }
 
+/// What signals of drawings told: how many were coarse and how many in full.
+std::pair<int, int> coarseAndFull(const QSignalSpy& drawn) {
+  const auto coarse = std::count_if(drawn.begin(), drawn.end(), [](const auto& told) { return told[1].toBool(); });
+  return {static_cast<int>(coarse), static_cast<int>(drawn.size() - coarse)};
+}
+
+TEST_F(Window, WhereDrawingIsSlowItIsCoarseInMotionAndInFullAfterRest) {
+  open();
+  window_.view().setPatience(0.0);  // every drawing is too slow
+  window_.document().showPose("toe_touch@2");
+  waitForFrame("toe_touch@2");
+  QTest::qWait(500);
+  const QImage atRest = picture();
+  QSignalSpy drawn(&window_.view(), &viewport::SceneView::drawn);
+  for (const char* pose : {"toe_touch@1", "toe_touch@1.5", "toe_touch@2"}) {
+    window_.document().showPose(pose);
+    waitForFrame(pose);
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return coarseAndFull(drawn).second > 0; }, patience));
+  EXPECT_GE(coarseAndFull(drawn).first, 1) << "in motion";
+  EXPECT_FALSE(drawn.back()[1].toBool()) << "at rest";
+  const auto count = drawn.size();
+  QTest::qWait(500);
+  EXPECT_EQ(drawn.size(), count) << "nothing moves any more";
+  EXPECT_EQ(differing(atRest, picture()), 0);
+}
+
+TEST_F(Window, WhereDrawingIsFastItIsAlwaysInFull) {
+  open();
+  window_.view().setPatience(1e9);
+  picture();  // nothing waits to be drawn any more
+  QSignalSpy drawn(&window_.view(), &viewport::SceneView::drawn);
+  window_.document().showPose("toe_touch@2");
+  waitForFrame("toe_touch@2");
+  QTest::qWait(500);
+  EXPECT_EQ(coarseAndFull(drawn).first, 0);
+  EXPECT_EQ(coarseAndFull(drawn).second, 1) << "one frame, one drawing";
+}
+
+TEST_F(Window, TurningTheCameraIsCoarseUntilTheButtonIsLetGo) {
+  open();
+  window_.view().setPatience(0.0);
+  picture();
+  QTest::qWait(500);  // until there are coarse triangles, and all rests
+  auto* canvas = window_.view().findChild<QWidget*>();
+  const QPoint middle = canvas->rect().center();
+  QSignalSpy drawn(&window_.view(), &viewport::SceneView::drawn);
+  QTest::mousePress(canvas, Qt::LeftButton, {}, middle);
+  for (int i = 1; i <= 5; ++i) {
+    QMouseEvent move(QEvent::MouseMove, middle + QPointF(10.0 * i, 0.0),
+                     canvas->mapToGlobal(middle + QPoint(10 * i, 0)), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(canvas, &move);
+    QTest::qWait(20);
+  }
+  QTest::qWait(500);
+  EXPECT_GE(coarseAndFull(drawn).first, 1);
+  EXPECT_EQ(coarseAndFull(drawn).second, 0) << "the button is held";
+  QTest::mouseRelease(canvas, Qt::LeftButton, {}, middle + QPoint(50, 0));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return coarseAndFull(drawn).second > 0; }, patience));
+  EXPECT_FALSE(drawn.back()[1].toBool());
+}
+
+TEST_F(Window, ManyMovesOfTheMouseGiveFewDrawings) {
+  open();
+  QTest::qWait(500);
+  auto* canvas = window_.view().findChild<QWidget*>();
+  const QPoint middle = canvas->rect().center();
+  QSignalSpy drawn(&window_.view(), &viewport::SceneView::drawn);
+  QTest::mousePress(canvas, Qt::LeftButton, {}, middle);
+  const QImage before = picture();
+  for (int i = 1; i <= 50; ++i) {
+    const QPoint place = middle + QPoint(i, 0);
+    QCoreApplication::postEvent(canvas, new QMouseEvent(QEvent::MouseMove, place, canvas->mapToGlobal(place),
+                                                        Qt::NoButton, Qt::LeftButton, Qt::NoModifier));
+  }
+  drawn.clear();
+  QTest::qWait(500);
+  EXPECT_GE(drawn.size(), 1);
+  EXPECT_LE(drawn.size(), 3);
+  QTest::mouseRelease(canvas, Qt::LeftButton, {}, middle + QPoint(50, 0));
+  EXPECT_GT(differing(before, picture()), 1000) << "the camera has turned";
+}
+
+TEST_F(Window, AClickThatMovesNothingIsNoMotion) {
+  open();
+  window_.view().setPatience(0.0);
+  QTest::qWait(500);
+  auto* canvas = window_.view().findChild<QWidget*>();
+  QSignalSpy drawn(&window_.view(), &viewport::SceneView::drawn);
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->rect().center());
+  QTest::qWait(500);
+  EXPECT_GE(drawn.size(), 1);
+  EXPECT_EQ(coarseAndFull(drawn).first, 0);
+}
+
+TEST_F(Window, ManyMovesOfTheSliderGiveFewDrawingsAndTheNewestPose) {
+  open();
+  window_.document().showPose("toe_touch@0");
+  waitForFrame("toe_touch@0");
+  QTest::qWait(500);
+  auto* slider = window_.findChild<QSlider*>("frame");
+  ASSERT_NE(slider, nullptr);
+  ASSERT_GE(slider->maximum(), 50);
+  const auto milliseconds = [](const QElapsedTimer& clock) { return static_cast<double>(clock.nsecsElapsed()) / 1e6; };
+  // What one drawing takes here and now, with all that shows it.
+  double drawing = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    QElapsedTimer clock;
+    clock.start();
+    picture();
+    drawing = std::max(drawing, milliseconds(clock));
+  }
+  QSignalSpy drawn(&window_.view(), &viewport::SceneView::drawn);
+  for (int i = 1; i <= 50; ++i) {
+    QMetaObject::invokeMethod(
+        slider, [slider, i] { slider->setValue(i); }, Qt::QueuedConnection);
+  }
+  double longest = 0.0;
+  const auto isShown = [&] {
+    const auto& frame = window_.view().frame();
+    return slider->value() == 50 && frame->pose == window_.document().shownPose() && !window_.engine().isBusy();
+  };
+  QElapsedTimer total;
+  total.start();
+  while (total.elapsed() < patience && !isShown()) {
+    QElapsedTimer turn;
+    turn.start();
+    QCoreApplication::processEvents();
+    longest = std::max(longest, milliseconds(turn));
+  }
+  ASSERT_TRUE(isShown());
+  EXPECT_LT(longest, 5.0 * drawing) << "the window takes input between drawings";
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return !drawn.empty() && window_.view().frame()->pose != "toe_touch@0"; }, patience));
+  QTest::qWait(500);
+  EXPECT_GE(drawn.size(), 1);
+  EXPECT_LE(drawn.size(), 6) << "not one for every move";
+}
+
 TEST_F(Window, WhatIsShownIsThePoseThatARunWouldShoot) {
   open();
   window_.document().showPose("toe_touch@2");
@@ -166,8 +309,10 @@ TEST_F(Window, TwoModelsStandSideBySideFromTheSameSide) {
 
 TEST_F(Window, RecolouringAnOrganChangesItsPixelsAndUndoBringsThemBack) {
   open();
-  for (const char* hidden : {"front_plate", "back_plate"}) {
-    commands::setVisible(window_.document(), hidden, false);
+  for (const study::ArmorSystem& system : window_.document().study().systems) {
+    for (const study::ArmorPiece& piece : system.pieces) {
+      commands::setVisible(window_.document(), piece.name, false);
+    }
   }
   const std::string before = bytes();
   const int blueBefore = ofColour(picture(), 2);
@@ -203,6 +348,21 @@ TEST_F(Window, ARunGivesTheTableOfTheCommandLineByteForByte) {
   for (const char* name : {"/summary.csv", "/trials.csv", "/provenance.json"}) {
     EXPECT_EQ(bytesOf(own + name), bytesOf(out + name)) << name;
   }
+}
+
+TEST_F(Window, TheViewHasAllTheRoomUntilThereAreResults) {
+  open();
+  const auto dock = [this](const char* name) { return window_.findChild<QDockWidget*>(name); };
+  EXPECT_FALSE(dock("results")->isVisible());
+  EXPECT_FALSE(dock("chart")->isVisible());
+  const int height = window_.view().height();
+  ASSERT_EQ(window_.runs().start(), QString());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.runs().job() == nullptr; }, patience));
+  EXPECT_TRUE(dock("results")->isVisible());
+  EXPECT_TRUE(dock("chart")->isVisible());
+  QCoreApplication::processEvents();
+  EXPECT_LT(window_.view().height(), height);
+  EXPECT_GT(window_.view().height(), height / 3) << "the body is still seen";
 }
 
 TEST_F(Window, ACancelledRunKeepsWhatWasFinishedAndTheWindowIsUsable) {
@@ -351,7 +511,7 @@ TEST_F(Window, AClickSelectsWhatIsSeenThere) {
   bool found = false;
   for (int y = canvas->height() / 6; y < canvas->height() / 2 && !found; y += 10) {
     QTest::mouseClick(const_cast<QWidget*>(canvas), Qt::LeftButton, {}, {canvas->width() / 2, y});
-    found = window_.document().selection() == ItemRef{ItemKind::piece, "front_plate"};
+    found = window_.document().selection() == ItemRef{ItemKind::piece, "plate_front"};
   }
   EXPECT_TRUE(found);
 }

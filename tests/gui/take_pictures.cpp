@@ -8,11 +8,12 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QElapsedTimer>
-#include <QStyleFactory>
+#include <QMouseEvent>
 #include <QTest>
 #include <QTimer>
 #include <cstdio>
 
+#include "look.h"
 #include "main_window.h"
 
 namespace {
@@ -69,7 +70,7 @@ int main(int argc, char** argv) {
   QElapsedTimer sinceStart;
   sinceStart.start();
   QApplication application(argc, argv);
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  lorica::gui::useOwnLook();
   if (argc < 4) {
     std::fprintf(stderr, "usage: lorica_pictures OUT_FOLDER PREFIX STUDY CLIP@SECONDS...\n");
     return 2;
@@ -90,11 +91,24 @@ int main(int argc, char** argv) {
     window.document().showPose(argv[i]);
     photographer.settle(argv[i]);
     photographer.take(QByteArray(argv[i]).replace('@', '_').constData());
-    std::printf("%s: pose %.1f ms, draw %.0f ms\n", argv[i], window.view().frame()->engineMs, window.view().drawMs());
   }
   window.document().showModels({OrganModel::staticJoint, OrganModel::dynamic});
   photographer.settle(window.document().shownPose());
   photographer.take("side_by_side");
+  // As it is while the camera turns where drawing is slow: coarse until the button is let go.
+  window.view().setPatience(0.0);
+  QTest::qWait(600);
+  auto* canvas = window.view().findChild<QWidget*>();
+  const QPoint middle = canvas->rect().center();
+  QTest::mousePress(canvas, Qt::LeftButton, {}, middle);
+  for (const int across : {5, 10}) {
+    QMouseEvent move(QEvent::MouseMove, middle + QPoint(across, 0), canvas->mapToGlobal(middle + QPoint(across, 0)),
+                     Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(canvas, &move);
+  }
+  photographer.take("turning");
+  QTest::mouseRelease(canvas, Qt::LeftButton, {}, middle + QPoint(10, 0));
+  window.view().setPatience(50.0);
   window.showShotLines();
   QTest::qWait(3000);
   photographer.take("shot_lines", &window.shotLines());
@@ -119,6 +133,7 @@ int main(int argc, char** argv) {
   photographer.take("shot_lines_after", &window.shotLines());
   for (auto* dock : window.findChildren<QDockWidget*>()) {
     if (dock->objectName() == "problems") {
+      dock->show();
       dock->raise();
     }
   }

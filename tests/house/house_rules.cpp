@@ -207,6 +207,7 @@ const std::vector<ThirdParty>& thirdParties() {
       {"VTK",
        std::regex("^(vtk-[0-9.]+/)?vtk[A-Za-z_0-9]*\\.h$"),
        {"core/geometry/src", "core/threat/src", "core/io/src", "widgets/viewport/src", "widgets/report", "tests"}},
+      {"meshoptimizer", std::regex("^(.*/)?meshoptimizer\\.h$"), {"widgets/viewport/src"}},
       {"MPI", std::regex("^(.*/)?mpi\\.h$"), {"app/mpi"}},
       {"Qt",
        std::regex("^(Qt[A-Za-z0-9]*/.*|Q[A-Za-z0-9]+|q[a-z0-9]+\\.h)$"),

@@ -58,9 +58,12 @@ std::vector<SourceFile> projectFiles(const fs::path& project) {
   };
   for (const std::string& name : topLevelEntries(project)) {
     const fs::path path = project / name;
+    if (isLeftOut(name)) {
+      continue;  // .git is a file in a second work tree
+    }
     if (fs::is_regular_file(path)) {
       add(path);
-    } else if (fs::is_directory(path) && !isLeftOut(name)) {
+    } else if (fs::is_directory(path)) {
       for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path)) {
         if (entry.is_regular_file()) {
           add(entry.path());

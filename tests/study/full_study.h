@@ -19,16 +19,17 @@ inline const char* const fullStudy = R"({
   "description": "every key",
   "human": {
     "file": "body.glb", "units": "m", "up": "y", "parts": ["skin"],
-    "sha256": "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef"
+    "sha256": "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef",
+    "joint_roles": {"pelvis": "bone_0", "toe_left": ["bone_7", "bone_8"]}
   },
   "organs": [
-    {"name": "heart", "description": "a", "builtin": "plain/heart", "class": "essential", "joint": "spine_2",
+    {"name": "heart", "description": "a", "builtin": "human/heart", "class": "essential", "joint": "spine_2",
      "lattice": {"layout": "uniform", "cells": 3, "prune": false}},
     {"name": "liver", "file": "organs/liver.stl", "units": "mm", "up": "z", "parts": ["left", "right"],
      "sha256": "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef",
      "class": "desirable", "lattice": {"layout": "per_axis", "cells": [1, 2, 3]}},
-    {"name": "spleen", "builtin": "plain/spleen", "lattice": {"cell_mm": 12.5}},
-    {"name": "stomach", "builtin": "plain/stomach", "lattice": {"layout": "bounding_box"}}
+    {"name": "spleen", "builtin": "human/spleen", "lattice": {"cell_mm": 12.5}},
+    {"name": "stomach", "builtin": "human/stomach", "lattice": {"layout": "bounding_box"}}
   ],
   "armor": [
     {"name": "vest", "description": "b", "pieces": [

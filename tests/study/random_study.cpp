@@ -211,6 +211,13 @@ Study makeStudy() {
   study.name = coin() ? uniqueName("study", 0) : "";
   study.description = freeText();
   study.human = anyMesh();
+  if (std::holds_alternative<Builtin>(study.human.from)) {
+    study.person = {coin() ? human::Sex::female : human::Sex::male, 1.4 + std::abs(anyNumber(0.5)),
+                    50.0 + std::abs(anyNumber(50.0))};
+  } else if (coin()) {
+    study.jointRoles = {{uniqueName("role", 0), {uniqueName("joint", 0)}},
+                        {uniqueName("role", 1), {uniqueName("joint", 1), uniqueName("joint", 2)}}};
+  }
   study.organs = several<Organ>(anyOrgan);
   study.systems = several<ArmorSystem>(anySystem);
   study.poses = several<Pose>(anyPose);

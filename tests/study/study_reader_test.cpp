@@ -21,7 +21,7 @@ TEST(StudyReader, ReadsEveryKey) {
 
   ASSERT_EQ(study.organs.size(), 4U);
   const Organ& heart = study.organs[0];
-  EXPECT_EQ(std::get<Builtin>(heart.mesh.from).name, "plain/heart");
+  EXPECT_EQ(std::get<Builtin>(heart.mesh.from).name, "human/heart");
   EXPECT_EQ(heart.injuryClass, "essential");
   EXPECT_EQ(heart.joint, "spine_2");
   EXPECT_EQ(heart.description, "a");
@@ -67,16 +67,37 @@ TEST(StudyReader, ReadsEveryKey) {
   EXPECT_EQ(study.displays[1], (Display{"body", true, std::nullopt, std::nullopt}));
 }
 
+TEST(StudyReader, TakesThePersonOfTheBuiltInHuman) {
+  const auto read = [](const std::string& human) {
+    return parseStudy(R"({"lorica_study": 1, "human": {"builtin": "human")" + human + "}}", "s");
+  };
+  EXPECT_EQ(read("").person, human::Person{});
+  EXPECT_EQ(read(R"(, "sex": "female", "stature_m": 1.63, "mass_kg": 60)").person,
+            (human::Person{human::Sex::female, 1.63, 60.0}));
+  for (const auto& [wrong, place] : std::vector<std::pair<std::string, std::string>>{
+           {R"(, "sex": "man")", "/human/sex"},
+           {R"(, "stature_m": 175.5)", "/human/stature_m"},
+           {R"(, "mass_kg": -1)", "/human/mass_kg"},
+           {R"(, "joint_roles": {"pelvis": "hips"})", "/human/joint_roles"}}) {
+    try {
+      (void)read(wrong);
+      FAIL() << wrong;
+    } catch (const base::InputError& error) {
+      EXPECT_EQ(error.place(), place);
+    }
+  }
+}
+
 TEST(StudyReader, GivesTheDocumentedDefaults) {
-  const Study study = parseStudy(R"({"lorica_study": 1, "human": {"builtin": "plain"},
-                                     "organs": [{"name": "heart", "builtin": "plain/heart"}],
+  const Study study = parseStudy(R"({"lorica_study": 1, "human": {"builtin": "human"},
+                                     "organs": [{"name": "heart", "builtin": "human/heart"}],
                                      "sources": [{"name": "front", "position": [0, 1, 5]}]})",
                                  "s");
   Study expected;
-  expected.human.from = Builtin{"plain"};
+  expected.human.from = Builtin{"human"};
   expected.organs.resize(1);
   expected.organs[0].name = "heart";
-  expected.organs[0].mesh.from = Builtin{"plain/heart"};
+  expected.organs[0].mesh.from = Builtin{"human/heart"};
   expected.sources.resize(1);
   expected.sources[0].name = "front";
   expected.sources[0].position = {0.0, 1.0, 5.0};
@@ -163,9 +184,11 @@ TEST(StudyReader, TellsTheWrongTypeOrValueAtItsPointer) {
 
 TEST(StudyReader, TellsWhatIsMissingOrDoesNotGoTogether) {
   const std::vector<Mistake> mistakes{
-      {"/organs/2", {{"builtin", "plain/spleen"}}, "expected a name, found nothing", "/organs/2/name"},
+      {"/organs/2", {{"builtin", "human/spleen"}}, "expected a name, found nothing", "/organs/2/name"},
       {"/organs/2", {{"name", "x"}}, "expected \"file\" (a path) or \"builtin\" (a name), found neither"},
       {"/human/builtin", "plain", "expected either \"file\" or \"builtin\", found both", "/human"},
+      {"/human/sex", "male", "belongs to the \"builtin\" human; remove it here"},
+      {"/human/joint_roles/pelvis", 3, "expected the name of a joint, or a list of them, found 3"},
       {"/organs/0/up", "y", "belongs to a \"file\"; remove it here"},
       {"/organs/0/lattice/cell_mm", 40, "belongs to the layout \"cell_size\"; change the layout or remove it"},
       {"/organs/2/lattice/cells", 2,

@@ -34,7 +34,7 @@ TEST(StudyText, OfTheFullStudyReadsBackAndKeepsItsBytes) {
 TEST(StudyText, IsOrderedIndentedShortAndEndsWithALineBreak) {
   Study study;
   study.name = "small";
-  study.human.from = Builtin{"plain"};
+  study.human.from = Builtin{"human"};
   study.sources.resize(1);
   study.sources[0].name = "front";
   study.sources[0].position = {0.0, 1.5, 5.0};
@@ -46,7 +46,10 @@ TEST(StudyText, IsOrderedIndentedShortAndEndsWithALineBreak) {
   "lorica_study": 1,
   "name": "small",
   "human": {
-    "builtin": "plain"
+    "builtin": "human",
+    "sex": "male",
+    "stature_m": 1.755,
+    "mass_kg": 84.6
   },
   "poses": [
     {
@@ -75,10 +78,10 @@ TEST(StudyText, IsOrderedIndentedShortAndEndsWithALineBreak) {
 
 TEST(StudyText, WritesOutWhatDecidesTheNumbersAndOmitsEveryOtherDefault) {
   Study study;
-  study.human.from = Builtin{"plain"};
+  study.human.from = Builtin{"human"};
   study.organs.resize(1);
   study.organs[0].name = "heart";
-  study.organs[0].mesh.from = Builtin{"plain/heart"};
+  study.organs[0].mesh.from = Builtin{"human/heart"};
   const Json json = Json::parse(studyText(study));
   EXPECT_EQ(json["models"], Json({"static_joint", "dynamic"}));
   EXPECT_EQ(json["trials"], 5);
@@ -90,7 +93,7 @@ TEST(StudyText, WritesOutWhatDecidesTheNumbersAndOmitsEveryOtherDefault) {
 
 TEST(StudyText, IsEqualForEqualStudiesWhateverTheSignOfZero) {
   Study plus;
-  plus.human.from = Builtin{"plain"};
+  plus.human.from = Builtin{"human"};
   plus.sources.resize(1);
   plus.sources[0].name = "a";
   Study minus = plus;
@@ -103,14 +106,14 @@ TEST(StudyText, RefusesWhatAFileCannotHold) {
   Study study;
   study.human.from = Builtin{"\xFF"};
   EXPECT_THROW(studyText(study), base::InputError);
-  study.human.from = Builtin{"plain"};
+  study.human.from = Builtin{"human"};
   study.siteSpacing = std::numeric_limits<double>::infinity();
   EXPECT_THROW(studyText(study), base::CallerError);
 }
 
 TEST(StudyText, MovesASizeThatIsNoMillimetresByLessThanItsLastDigit) {
   Study study;
-  study.human.from = Builtin{"plain"};
+  study.human.from = Builtin{"human"};
   for (double metres = 0.005; metres < 0.5; metres = std::nextafter(metres * 1.01, 1.0)) {
     study.siteSpacing = metres;
     const Study back = parseStudy(studyText(study), "s");

@@ -143,7 +143,7 @@ Report measure(const base::Progress& progress) {
   report.threads = std::min(2, base::machineThreads());
   report.rays = rayCount;
   const base::Threads threads{report.threads};
-  const analysis::LoadedStudy study = refinedSample(threads);
+  const analysis::LoadedStudy study = sampleScene(threads);
   progress.report(0.1);
   {
     const analysis::PosedScene posed(study, {viscera::OrganModel::dynamic}, std::nullopt, raycast::SceneUse::manyRays,

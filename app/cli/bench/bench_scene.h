@@ -4,8 +4,8 @@
 
 namespace lorica::bench {
 
-/// The embedded sample human with its organs and plates, every mesh refined once: about a quarter of a million
-/// triangles, bound and ready to pose.
-analysis::LoadedStudy refinedSample(base::Threads threads);
+/// The sample study, bound and ready to pose: the built-in human with its organs, vest and plates, a quarter of a
+/// million triangles.
+analysis::LoadedStudy sampleScene(base::Threads threads);
 
 }  // namespace lorica::bench

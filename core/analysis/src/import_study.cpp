@@ -14,6 +14,7 @@
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/parenting/skin_side.h"
+#include "lorica/study/reserved_names.h"
 #include "lorica/study/study_file.h"
 
 namespace lorica::analysis {
@@ -55,7 +56,7 @@ class Names {
   void take(const std::string& name) { taken_.insert(name); }
 
  private:
-  std::set<std::string> taken_{"body", "miss", "armor", "organs"};
+  std::set<std::string> taken_{study::reservedStructures.begin(), study::reservedStructures.end()};
 };
 
 class Importer {

@@ -93,11 +93,12 @@ const io::Model& MeshLibrary::file(const study::InputFile& input) {
   return models_.emplace(key, std::move(model)).first->second;
 }
 
-const manikin::PlainHuman& MeshLibrary::plainHuman() {
-  if (!plain_) {
-    plain_ = std::make_unique<manikin::PlainHuman>(manikin::plainHuman());
+const manikin::Human& MeshLibrary::human(const human::Person& person, base::Threads threads,
+                                         const base::Progress& progress) {
+  if (!human_) {
+    human_ = std::make_unique<manikin::Human>(manikin::keptHuman(person, threads, progress));
   }
-  return *plain_;
+  return *human_;
 }
 
 void MeshLibrary::checkParts(const study::MeshSource& source, const io::Model& model, const std::string& file) {

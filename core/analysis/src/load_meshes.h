@@ -14,7 +14,7 @@
 #include "lorica/human/clip.h"
 #include "lorica/human/skinning.h"
 #include "lorica/io/import.h"
-#include "lorica/manikin/plain_human.h"
+#include "lorica/manikin/human.h"
 #include "lorica/study/study.h"
 
 namespace lorica::analysis {
@@ -36,7 +36,8 @@ class MeshLibrary {
 
   /// \throw base::InputError
   const io::Model& file(const study::InputFile& input);
-  const manikin::PlainHuman& plainHuman();
+  /// \throw base::InputError when there can be no such person, base::Cancelled
+  const manikin::Human& human(const human::Person& person, base::Threads threads, const base::Progress& progress);
   /// Checks that every part the source names is in the model. \throw base::InputError
   static void checkParts(const study::MeshSource& source, const io::Model& model, const std::string& file);
   base::Issues takeIssues() { return std::exchange(issues_, {}); }
@@ -44,7 +45,7 @@ class MeshLibrary {
  private:
   std::filesystem::path studyFile_;
   std::map<std::string, io::Model> models_;
-  std::unique_ptr<manikin::PlainHuman> plain_;
+  std::unique_ptr<manikin::Human> human_;
   base::Issues issues_;
 };
 

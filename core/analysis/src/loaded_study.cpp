@@ -8,6 +8,8 @@
 #include "lorica/armor/plates.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
+#include "lorica/manikin/task_clips.h"
+#include "lorica/manikin/test_cases.h"
 #include "lorica/parenting/skin_side.h"
 #include "lorica/study/study_file.h"
 
@@ -19,6 +21,9 @@ namespace {
 
 using study::Builtin;
 using study::InputFile;
+
+/// What names of the built-in human's organs and armor begin with.
+const std::string kHumanPrefix = "human/";
 
 /// Everything one loading needs to know.
 struct Loading {
@@ -34,19 +39,55 @@ struct Loading {
   }
 };
 
-parenting::Body loadBody(Loading& loading) {
+/// The human of the study, for the names that begin with "human".
+const manikin::Human& builtinHuman(Loading& loading, const base::Progress& progress) {
+  const human::Person& person = loading.result.study.person;
+  try {
+    return loading.library.human(person, loading.threads, progress);
+  } catch (const base::InputError& error) {
+    loading.fail(error.place() == "stature" ? "/human/stature_m" : "/human/mass_kg", error.text());
+  }
+}
+
+/// The task motions on a file's own skeleton, beside the motions the file has. Without roles for the joints there are
+/// none, which is worth saying only where the study names roles.
+void addTaskClips(Loading& loading, const human::Skeleton& skeleton) {
+  const study::Study& study = loading.result.study;
+  std::vector<human::Clip>& clips = loading.result.clips;
+  human::RoleMap roles;
+  try {
+    roles = study.jointRoles.empty() ? human::findRoles(skeleton) : human::rolesFromNames(skeleton, study.jointRoles);
+  } catch (const base::InputError& error) {
+    if (!study.jointRoles.empty()) {
+      loading.fail("/human/joint_roles/" + error.place(), error.text());
+    }
+    loading.result.bodyIssues.push_back(
+        {base::Severity::note, std::get<InputFile>(study.human.from).path, "",
+         fmt::format("the task motions cannot run on its skeleton: {}: {}", error.place(), error.text())});
+    return;
+  }
+  for (human::Clip& clip : manikin::taskClips(skeleton, roles)) {
+    const bool taken =
+        std::any_of(clips.begin(), clips.end(), [&](const human::Clip& known) { return known.name == clip.name; });
+    if (!taken) {
+      clips.push_back(std::move(clip));
+    }
+  }
+}
+
+parenting::Body loadBody(Loading& loading, const base::Progress& progress) {
   const study::MeshSource& source = loading.result.study.human;
   parenting::Body body;
   if (const auto* builtin = std::get_if<Builtin>(&source.from)) {
-    if (builtin->name != "plain") {
+    if (builtin->name != "human") {
       loading.fail("/human/builtin",
-                   fmt::format("there is no built-in human named \"{}\"; there is \"plain\"", builtin->name));
+                   fmt::format("there is no built-in body named \"{}\"; it is named \"human\"", builtin->name));
     }
-    const manikin::PlainHuman& plain = loading.library.plainHuman();
-    body.skin = plain.skin;
-    body.skeleton = plain.skeleton;
-    body.weights = plain.weights;
-    loading.result.clips = plain.clips;
+    const manikin::Human& human = builtinHuman(loading, progress);
+    body.skin = human.body.skin;
+    body.skeleton = human.body.skeleton;
+    body.weights = human.body.weights;
+    loading.result.clips = human.clips;
   } else {
     const InputFile& input = std::get<InputFile>(source.from);
     const io::Model& model = loading.library.file(input);
@@ -64,7 +105,10 @@ parenting::Body loadBody(Loading& loading) {
     body.skin = std::move(merged.mesh);
     body.weights = std::move(merged.weights);
     body.skeleton = body.weights ? model.skeleton : std::nullopt;
-    loading.result.clips = body.skeleton ? model.clips : std::vector<human::Clip>{};
+    if (body.skeleton) {
+      loading.result.clips = model.clips;
+      addTaskClips(loading, *body.skeleton);
+    }
   }
   if (body.skeleton) {
     body.regions = human::bodyRegions(body.skin, *body.weights, *body.skeleton);
@@ -77,14 +121,22 @@ parenting::Body loadBody(Loading& loading) {
 
 geometry::TriangleMesh loadOrganMesh(Loading& loading, const study::Organ& organ, const std::string& place) {
   if (const auto* builtin = std::get_if<Builtin>(&organ.mesh.from)) {
-    const manikin::PlainHuman& plain = loading.library.plainHuman();
-    const auto found = std::find_if(plain.organs.begin(), plain.organs.end(),
-                                    [&](const manikin::PlainOrgan& o) { return "plain/" + o.name == builtin->name; });
-    if (found == plain.organs.end()) {
-      loading.fail(place + "/builtin", fmt::format("there is no built-in organ named \"{}\"; they are named plain/{}",
-                                                   builtin->name, fmt::join(manikin::builtinOrganNames(), ", plain/")));
+    if (builtin->name == "test_case_1/cube") {
+      return manikin::shoulderCube(builtinHuman(loading, {}).body);
     }
-    return found->mesh;
+    if (builtin->name == "test_case_2/box") {
+      return manikin::forearmBox(builtinHuman(loading, {}).body);
+    }
+    const std::vector<std::string>& names = manikin::organNames();
+    if (std::none_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return kHumanPrefix + name == builtin->name; })) {
+      loading.fail(place + "/builtin", fmt::format("there is no built-in organ named \"{}\"; they are named human/{}",
+                                                   builtin->name, fmt::join(names, ", human/")));
+    }
+    const manikin::Human& human = builtinHuman(loading, {});
+    return std::find_if(human.organs.begin(), human.organs.end(),
+                        [&](const manikin::Organ& o) { return kHumanPrefix + o.name == builtin->name; })
+        ->mesh;
   }
   const InputFile& input = std::get<InputFile>(organ.mesh.from);
   const io::Model& model = loading.library.file(input);
@@ -174,14 +226,31 @@ void loadOrgans(Loading& loading, const base::Progress& progress) {
   }
 }
 
+/// A piece of the built-in human's armor, made to its measure.
+const manikin::ArmorPiece& builtinPiece(Loading& loading, const Builtin& builtin, const std::string& place) {
+  std::vector<std::string> names;
+  for (const manikin::ArmorSystem& system : builtinHuman(loading, {}).systems) {
+    for (const manikin::ArmorPiece& piece : system.pieces) {
+      const std::string name = fmt::format("{}{}/{}", kHumanPrefix, system.name, piece.name);
+      if (name == builtin.name) {
+        if (!piece.protecting) {
+          loading.fail(place + "/builtin", fmt::format("\"{}\" does not protect, so it is no piece of armor", name));
+        }
+        return piece;
+      }
+      if (piece.protecting) {
+        names.push_back(name);
+      }
+    }
+  }
+  loading.fail(place + "/builtin", fmt::format("there is no built-in armor named \"{}\"; there are front_plate, "
+                                               "back_plate, {}",
+                                               builtin.name, fmt::join(names, ", ")));
+}
+
 /// A generated plate, laid on the body.
 geometry::TriangleMesh loadPlate(const Loading& loading, const study::ArmorPiece& piece, const Builtin& builtin,
-                                 const std::string& place, base::Issues& issues) {
-  if (builtin.name != "front_plate" && builtin.name != "back_plate") {
-    loading.fail(place + "/builtin", fmt::format("there is no built-in armor named \"{}\"; there are \"front_plate\" "
-                                                 "and \"back_plate\"",
-                                                 builtin.name));
-  }
+                                 base::Issues& issues) {
   const parenting::Body& body = loading.result.body->body();
   armor::PlacedPlate placed = armor::placePlate(
       body.skin, body.skeleton ? &*body.skeleton : nullptr,
@@ -238,8 +307,13 @@ LoadedPiece loadPiece(Loading& loading, const study::ArmorPiece& piece, const st
   LoadedPiece loaded;
   loaded.name = piece.name;
   if (const auto* builtin = std::get_if<Builtin>(&piece.mesh.from)) {
-    loaded.rig = armor::bindPiece(loadPlate(loading, piece, *builtin, place, loaded.issues), piece.name, piece.carriage,
-                                  *loading.result.body, nullptr, nullptr, loading.threads);
+    const bool plate = builtin->name == "front_plate" || builtin->name == "back_plate";
+    const manikin::ArmorPiece* made = plate ? nullptr : &builtinPiece(loading, *builtin, place);
+    geometry::TriangleMesh mesh = plate ? loadPlate(loading, piece, *builtin, loaded.issues) : made->mesh;
+    const bool weighted = made != nullptr && made->weights.has_value();
+    loaded.rig = armor::bindPiece(std::move(mesh), piece.name, piece.carriage, *loading.result.body,
+                                  weighted ? &*made->weights : nullptr,
+                                  weighted ? &builtinHuman(loading, {}).body.skeleton : nullptr, loading.threads);
     return loaded;
   }
   const InputFile& input = std::get<InputFile>(piece.mesh.from);
@@ -399,6 +473,7 @@ bool usesThesisModel(const study::Study& study) {
 
 bool sameBody(const LoadedStudy& result, const LoadedStudy& previous) {
   return result.study.siteSpacing == previous.study.siteSpacing && (previous.thesisSites || !result.thesisSites) &&
+         result.study.person == previous.study.person && result.study.jointRoles == previous.study.jointRoles &&
          sameMesh(result.study.human, result.file, previous.study.human, previous.file);
 }
 
@@ -421,7 +496,7 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
     result.clips = options.previous->clips;
     result.bodyIssues = options.previous->bodyIssues;
   } else {
-    parenting::Body body = loadBody(loading);
+    parenting::Body body = loadBody(loading, progress.part(0.05, 0.25));
     progress.report(0.25);
     parenting::RigOptions rig;
     rig.siteSpacing = result.study.siteSpacing;

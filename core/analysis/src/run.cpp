@@ -8,6 +8,7 @@
 #include "lorica/analysis/posed_scene.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
+#include "lorica/study/reserved_names.h"
 #include "prepare_source.h"
 
 namespace lorica::analysis {
@@ -101,7 +102,7 @@ RunResult run(const LoadedStudy& study, const RunOptions& options, const base::P
   RunResult result;
   result.issues = study.issues;
   result.models = study.study.models;
-  result.systems.emplace_back("unarmored");
+  result.systems.emplace_back(study::unarmored);
   for (const study::ArmorSystem& system : study.study.systems) {
     result.systems.push_back(system.name);
   }

@@ -32,7 +32,7 @@ Quatd laidAlong(const Vec3d& direction, const Vec3d& forward) {
 
 }  // namespace
 
-AnatomicalFrames::AnatomicalFrames(const Skeleton& skeleton, const RoleMap& roles) : skeleton_(&skeleton) {
+AnatomicalFrames::AnatomicalFrames(const Skeleton& skeleton, const RoleMap& roles) {
   const Vec3d across = skeleton.restPosition(roles.joint(Role::hip, Side::left).value()) -
                        skeleton.restPosition(roles.joint(Role::hip, Side::right).value());
   const double quarter = 0.5 * std::numbers::pi;
@@ -43,12 +43,11 @@ AnatomicalFrames::AnatomicalFrames(const Skeleton& skeleton, const RoleMap& role
     restPositions_.emplace_back(facing_.conjugate() * skeleton.restPosition(JointIndex{j}));
   }
   spine_ = spineSegments(skeleton, roles);
-  addTrunk(roles);
+  addTrunk(skeleton, roles);
   for (const Side side : {Side::left, Side::right}) {
-    addArm(roles, side);
-    addLeg(roles, side);
+    addArm(skeleton, roles, side);
+    addLeg(skeleton, roles, side);
   }
-  skeleton_ = nullptr;
 }
 
 std::size_t AnatomicalFrames::add(Role role, Side side, std::size_t place, JointIndex joint,
@@ -61,18 +60,18 @@ std::size_t AnatomicalFrames::add(Role role, Side side, std::size_t place, Joint
   return parts_.size() - 1;
 }
 
-Vec3d AnatomicalFrames::direction(JointIndex from, JointIndex to) const {
+Vec3d AnatomicalFrames::direction(const Skeleton& skeleton, JointIndex from, JointIndex to) const {
   const Vec3d along = restPosition(to) - restPosition(from);
   if (along.norm() < 1e-6) {
     throw base::InputError("", "",
-                           fmt::format("joints \"{}\" and \"{}\" rest at the same place", skeleton_->joint(from).name,
-                                       skeleton_->joint(to).name));
+                           fmt::format("joints \"{}\" and \"{}\" rest at the same place", skeleton.joint(from).name,
+                                       skeleton.joint(to).name));
   }
   return along.normalized();
 }
 
-std::size_t AnatomicalFrames::carrierOf(JointIndex joint) const {
-  for (std::optional<JointIndex> j = skeleton_->joint(joint).parent; j; j = skeleton_->joint(*j).parent) {
+std::size_t AnatomicalFrames::carrierOf(const Skeleton& skeleton, JointIndex joint) const {
+  for (std::optional<JointIndex> j = skeleton.joint(joint).parent; j; j = skeleton.joint(*j).parent) {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       // The upper arm's angles are counted against the chest, whatever the shoulder girdle does.
       if (parts_[p].joint == *j && parts_[p].role != Role::clavicle) {
@@ -83,36 +82,36 @@ std::size_t AnatomicalFrames::carrierOf(JointIndex joint) const {
   return 0;
 }
 
-void AnatomicalFrames::addTrunk(const RoleMap& roles) {
+void AnatomicalFrames::addTrunk(const Skeleton& skeleton, const RoleMap& roles) {
   add(Role::pelvis, Side::middle, 0, roles.joint(Role::pelvis).value(), std::nullopt, Quatd::Identity());
   for (const Role role : {Role::lumbar, Role::thoracic, Role::neck, Role::head}) {
     std::size_t place = 0;
     for (const JointIndex joint : roles.joints(role)) {
-      add(role, Side::middle, place++, joint, carrierOf(joint), Quatd::Identity());
+      add(role, Side::middle, place++, joint, carrierOf(skeleton, joint), Quatd::Identity());
     }
   }
 }
 
-void AnatomicalFrames::addArm(const RoleMap& roles, Side side) {
+void AnatomicalFrames::addArm(const Skeleton& skeleton, const RoleMap& roles, Side side) {
   const JointIndex shoulder = roles.joint(Role::shoulder, side).value();
   const JointIndex elbow = roles.joint(Role::elbow, side).value();
   const JointIndex wrist = roles.joint(Role::wrist, side).value();
-  const std::size_t chest = carrierOf(shoulder);
+  const std::size_t chest = carrierOf(skeleton, shoulder);
   std::size_t carrier = chest;
   std::size_t place = 0;
   for (const JointIndex joint : roles.joints(Role::clavicle, side)) {
     carrier = add(Role::clavicle, side, place++, joint, carrier, Quatd::Identity());
   }
-  const Quatd upperArm = laidAlong(Quatd::Identity(), direction(shoulder, elbow));
-  const Quatd forearm = laidAlong(upperArm, direction(elbow, wrist));
+  const Quatd upperArm = laidAlong(Quatd::Identity(), direction(skeleton, shoulder, elbow));
+  const Quatd forearm = laidAlong(upperArm, direction(skeleton, elbow, wrist));
   Quatd hand = forearm;
   const auto middle = roles.joint(Role::middle, side);
   if (middle) {
     const auto index = roles.joint(Role::index, side);
     const auto little =
         roles.joint(Role::little, side) ? roles.joint(Role::little, side) : roles.joint(Role::ring, side);
-    const Vec3d along = direction(wrist, *middle);
-    hand = index && little ? laidAlong(along, direction(*little, *index)) : laidAlong(forearm, along);
+    const Vec3d along = direction(skeleton, wrist, *middle);
+    hand = index && little ? laidAlong(along, direction(skeleton, *little, *index)) : laidAlong(forearm, along);
   }
   const double pronation = angles(Role::wrist, side, forearm.conjugate() * hand).axial;
   const auto twist = roles.joint(Role::forearmTwist, side);
@@ -134,13 +133,13 @@ void AnatomicalFrames::addArm(const RoleMap& roles, Side side) {
   }
 }
 
-void AnatomicalFrames::addLeg(const RoleMap& roles, Side side) {
+void AnatomicalFrames::addLeg(const Skeleton& skeleton, const RoleMap& roles, Side side) {
   const JointIndex hip = roles.joint(Role::hip, side).value();
   const JointIndex knee = roles.joint(Role::knee, side).value();
   const JointIndex ankle = roles.joint(Role::ankle, side).value();
-  const Quatd thigh = laidAlong(Quatd::Identity(), direction(hip, knee));
+  const Quatd thigh = laidAlong(Quatd::Identity(), direction(skeleton, hip, knee));
   std::size_t carrier = add(Role::hip, side, 0, hip, 0, thigh);
-  carrier = add(Role::knee, side, 0, knee, carrier, laidAlong(thigh, direction(knee, ankle)));
+  carrier = add(Role::knee, side, 0, knee, carrier, laidAlong(thigh, direction(skeleton, knee, ankle)));
   carrier = add(Role::ankle, side, 0, ankle, carrier, Quatd::Identity());
   std::size_t place = 0;
   for (const JointIndex joint : roles.joints(Role::toe, side)) {

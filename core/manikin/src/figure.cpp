@@ -12,6 +12,13 @@ using base::radians;
 using human::JointIndex;
 using human::Part;
 
+namespace {
+
+/// Metres or radians below which nothing has moved: rest stays rest, bit for bit.
+constexpr double kStill = 1e-9;
+
+}  // namespace
+
 Arm Arm::operator+(const Arm& other) const {
   return {clavicle + other.clavicle, shoulder + other.shoulder,   elbow + other.elbow,
           wrist + other.wrist,       pronation + other.pronation, fingers + other.fingers};
@@ -56,6 +63,12 @@ Figure::Figure(const human::Skeleton& skeleton, const human::RoleMap& roles, con
   for (std::size_t p = 0; p < frames_.parts().size(); ++p) {
     partOf_[frames_.parts()[p].joint.value] = p;
   }
+  below_.resize(skeleton.size());
+  for (std::size_t j = 0; j < skeleton.size(); ++j) {
+    for (std::optional<JointIndex> above = JointIndex{j}; above; above = skeleton.joint(*above).parent) {
+      below_[above->value].push_back(j);
+    }
+  }
   double legs = 0.0;
   double ankles = 0.0;
   for (const Side side : kSides) {
@@ -76,10 +89,14 @@ Figure::Figure(const human::Skeleton& skeleton, const human::RoleMap& roles, con
     arm.shoulder = angles(Role::shoulder);
     arm.elbow = angles(Role::elbow);
     arm.wrist = angles(Role::wrist);
-    arm.pronation =
-        frames_.part(Role::forearmTwist, side) ? angles(Role::forearmTwist).axial : arm.elbow.axial + arm.wrist.axial;
-    arm.elbow.axial = 0.0;
-    arm.wrist.axial = 0.0;
+    // The pronation is kept apart; what a bent bone adds to these angles stays with them.
+    if (frames_.part(Role::forearmTwist, side)) {
+      arm.pronation = angles(Role::forearmTwist).axial;
+    } else {
+      arm.pronation = arm.elbow.axial + arm.wrist.axial;
+      arm.elbow.axial -= 0.5 * arm.pronation;
+      arm.wrist.axial -= 0.5 * arm.pronation;
+    }
     Leg& leg = rest_.legs[placeOf(side)];
     leg.hip = angles(Role::hip);
     leg.knee = angles(Role::knee);
@@ -216,20 +233,17 @@ Vec3d Figure::eye(const Stance& stance, Side side) const {
 
 void Figure::turnBelow(Stance& stance, JointIndex joint, const Quatd& turn) const {
   const Vec3d centre = stance.positions[joint.value];
-  std::vector<bool> below(skeleton_.size(), false);
-  below[joint.value] = true;
-  for (std::size_t j = joint.value; j < skeleton_.size(); ++j) {
-    const auto parent = skeleton_.joints()[j].parent;
-    below[j] = below[j] || (parent && below[parent->value]);
-    if (below[j]) {
-      stance.carry[j] = (turn * stance.carry[j]).normalized();
-      stance.positions[j] = centre + turn * (stance.positions[j] - centre);
-    }
+  for (const std::size_t j : below_[joint.value]) {
+    stance.carry[j] = (turn * stance.carry[j]).normalized();
+    stance.positions[j] = centre + turn * (stance.positions[j] - centre);
   }
 }
 
 void Figure::reach(Stance& stance, Role upper, Role middle, Role lower, Side side, const Vec3d& target) const {
   const auto at = [&](Role role) -> const Vec3d& { return position(stance, role, side); };
+  if ((target - at(lower)).norm() < kStill) {
+    return;
+  }
   const double a = (at(middle) - at(upper)).norm();
   const double b = (at(lower) - at(middle)).norm();
   // A limb is never pulled quite straight: there its bend would be infinitely sensitive.
@@ -283,13 +297,12 @@ human::Pose Figure::pose(const Stance& stance) const {
     return Quatd(facing * stance.carry[joint.value] * facing.conjugate() *
                  Quatd(skeleton_.restFrame(joint).rotation()));
   };
-  constexpr double still = 1e-9;
   for (const Part& part : frames_.parts()) {
     const auto parent = skeleton_.joint(part.joint).parent;
     const Quatd above = parent ? rotation(*parent) : Quatd::Identity();
     const Quatd turned = (above.conjugate() * rotation(part.joint)).normalized();
     human::Trs& local = pose.local[part.joint.value];
-    if (turned.angularDistance(local.rotation) > still) {
+    if (turned.angularDistance(local.rotation) > kStill) {
       local.rotation = turned.dot(local.rotation) < 0.0 ? Quatd(-turned.coeffs()) : turned;
     }
   }
@@ -298,7 +311,7 @@ human::Pose Figure::pose(const Stance& stance) const {
   const Vec3d place = facing * stance.positions[pelvis.value];
   human::Trs& local = pose.local[pelvis.value];
   const Vec3d inParent = parent ? Vec3d(skeleton_.restFrame(*parent).inverse() * place) : place;
-  if ((place - skeleton_.restPosition(pelvis)).norm() > still) {
+  if ((place - skeleton_.restPosition(pelvis)).norm() > kStill) {
     local.translation = inParent;
   }
   return pose;

@@ -123,6 +123,7 @@ class Figure {
   human::RoleMap roles_;
   human::AnatomicalFrames frames_;
   std::vector<std::optional<std::size_t>> partOf_;  ///< of every joint
+  std::vector<std::vector<std::size_t>> below_;     ///< of every joint: it and all that hangs on it
   TaskOptions options_;
   double stature_ = 0.0;
   double floor_ = 0.0;

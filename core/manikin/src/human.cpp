@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <cstdlib>
 #include <cstring>
 
 #include "lorica/base/error.h"
-#include "lorica/base/files.h"
 #include "lorica/human/joint_roles.h"
 #include "lorica/manikin/task_clips.h"
 
@@ -15,8 +13,6 @@ namespace lorica::manikin {
 
 namespace {
 
-/// Goes up whenever any part of a human comes out other than before.
-constexpr std::uint32_t kVersion = 2;
 constexpr std::string_view kMark = "LORICAHU";
 
 std::vector<human::Clip> clipsOf(const Body& body) {
@@ -135,21 +131,6 @@ class Reader {
   std::size_t at_ = 0;
 };
 
-std::filesystem::path cacheFolder() {
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nobody sets variables
-    return std::string(value == nullptr ? "" : value);
-  };
-  if (const std::string own = variable("LORICA_CACHE"); !own.empty()) {
-    return own;
-  }
-  if (const std::string shared = variable("XDG_CACHE_HOME"); !shared.empty()) {
-    return std::filesystem::path(shared) / "lorica";
-  }
-  const std::string home = variable("HOME");
-  return home.empty() ? std::filesystem::path() : std::filesystem::path(home) / ".cache" / "lorica";
-}
-
 void write(Writer& writer, const ArmorPiece& piece) {
   writer.put(piece.name);
   writer.put(piece.mesh);
@@ -235,7 +216,7 @@ std::string humanBytes(const Human& human) {
   }
   const std::string body = writer.take();
   Writer head;
-  head.put(kVersion);
+  head.put(kHumanVersion);
   head.put(checksum(body));
   return std::string(kMark) + head.take() + body;
 }
@@ -245,7 +226,7 @@ Human readHuman(std::string_view bytes, const std::string& name) {
   head.require(bytes.size() >= kMark.size() + 12 && bytes.substr(0, kMark.size()) == kMark);
   bytes.remove_prefix(kMark.size());
   Reader front(bytes, name);
-  if (front.get<std::uint32_t>() != kVersion) {
+  if (front.get<std::uint32_t>() != kHumanVersion) {
     throw base::InputError(name, "", "was made by another version of the program");
   }
   const auto sum = front.get<std::uint64_t>();
@@ -299,36 +280,6 @@ Human readHuman(std::string_view bytes, const std::string& name) {
   }
   reader.require(reader.atEnd());
   human.clips = clipsOf(human.body);
-  return human;
-}
-
-Human keptHuman(const human::Person& person, base::Threads threads, const base::Progress& progress) {
-  checkPerson(person);
-  const std::filesystem::path folder = cacheFolder();
-  // The bits of the sizes, not their decimals: two persons never share a file.
-  const std::filesystem::path file =
-      folder / fmt::format("human-{}-{}-{:016x}-{:016x}.bin", kVersion,
-                           person.sex == human::Sex::male ? "male" : "female",
-                           std::bit_cast<std::uint64_t>(person.stature), std::bit_cast<std::uint64_t>(person.mass));
-  std::error_code ignored;
-  if (!folder.empty() && std::filesystem::exists(file, ignored)) {
-    try {
-      Human human = readHuman(base::readFile(file), file.string());
-      if (human.body.person == person) {
-        return human;
-      }
-    } catch (const base::InputError&) {
-      // Made anew below, which also mends the file.
-    }
-  }
-  Human human = makeHuman(person, threads, progress);
-  if (!folder.empty()) {
-    try {
-      base::writeFileAtomically(file, humanBytes(human));
-    } catch (const base::InputError&) {
-      // Without a place to keep it the next one takes as long as this one; nothing else is lost.
-    }
-  }
   return human;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 std::vector<Task> tasksOf(const Figure& figure) {
   return {toeTouch(figure), bellyTwist(), lateralTwist(), squat(), kneelAim(),
-          proneAim(),       armRaise(),   walk(figure),   sit()};
+          proneAim(figure), armRaise(),   walk(figure),   sit()};
 }
 
 /// Channels of what moves: every part's rotation and the pelvis' place.

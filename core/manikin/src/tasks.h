@@ -4,6 +4,7 @@
 /// The steps of taskClips(): one motion each, as a stance at every share of its duration.
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "figure.h"
@@ -26,7 +27,7 @@ Task armRaise();
 Task sit();
 // With a rifle.
 Task kneelAim();
-Task proneAim();
+Task proneAim(const Figure& figure);
 // In a cycle.
 Task walk(const Figure& figure);
 double walkSpeed(const Figure& figure);
@@ -46,12 +47,20 @@ Stance standing(const Figure& figure, const Attitude& attitude);
 double upHoldDown(double u);
 
 struct Aim {
-  double weight = 1.0;         ///< 0 leaves the arms as they are
-  double supportReach = 0.0;   ///< trigger hand to support hand, m
-  bool elbowsOnFloor = false;  ///< else they hang
+  double weight = 1.0;        ///< 0 leaves the arms as they are
+  double supportReach = 0.0;  ///< trigger hand to support hand, m
+  /// Radians by which left and right arm are turned about the line from shoulder to wrist; else the elbows hang.
+  std::optional<std::array<double, 2>> swivels;
 };
 
 /// Lays hands, forearms and elbows to the rifle that the eye looks along.
 void aimRifle(const Figure& figure, Stance& stance, const Aim& aim);
+
+/// How an aiming stance leans on both elbows.
+struct FloorRest {
+  double supportReach = 0.0;        ///< as wanted, or nearer where the support elbow would not reach the floor else
+  std::array<double, 2> swivels{};  ///< that lay the elbows on the floor, or as near to it as they come
+};
+FloorRest restOnElbows(const Figure& figure, const Stance& stance, double supportReach);
 
 }  // namespace lorica::manikin

@@ -56,43 +56,52 @@ Rifle rifleOf(const Figure& figure, const Stance& stance, double supportReach) {
            {0.25, -1.0, 0.0}}};
 }
 
-/// Angle about the line from shoulder to wrist that brings the elbow nearest to a direction; on the floor, to the
-/// place of its circle that touches the floor on that side, else to the lowest one.
-double elbowAngle(const Figure& figure, const Stance& stance, Side side, const Vec3d& wanted, bool onFloor) {
+/// The circle an elbow can be turned on while shoulder and wrist stay.
+struct ElbowCircle {
+  Vec3d centre;
+  Vec3d now;     ///< from the centre to the elbow
+  Vec3d across;  ///< a quarter turn further
+};
+
+ElbowCircle elbowCircle(const Figure& figure, const Stance& stance, Side side) {
   const Vec3d& shoulder = figure.position(stance, Role::shoulder, side);
   const Vec3d axis = (figure.position(stance, Role::wrist, side) - shoulder).normalized();
   const Vec3d arm = figure.position(stance, Role::elbow, side) - shoulder;
-  const Vec3d now = arm - arm.dot(axis) * axis;
-  const Vec3d across = axis.cross(now);
-  if (!onFloor) {
-    return std::atan2(wanted.dot(across), wanted.dot(now));
-  }
-  const double centre = shoulder.y() + arm.dot(axis) * axis.y();
-  const double range = std::hypot(now.y(), across.y());
-  const double top = std::atan2(across.y(), now.y());
-  const double height = figure.floor() + figure.elbowHeight() - centre;
-  const double away = std::acos(std::clamp(height / std::max(range, 1e-9), -1.0, 1.0));
-  const auto outwards = [&](double angle) {
-    return wanted.x() * (std::cos(angle) * now + std::sin(angle) * across).x();
-  };
-  return outwards(top + away) > outwards(top - away) ? top + away : top - away;
+  const Vec3d along = arm.dot(axis) * axis;
+  return {shoulder + along, arm - along, axis.cross(arm - along)};
 }
 
-double wrapped(double angle) {
+/// The turn that brings the elbow nearest to a direction.
+double swivelTowards(const ElbowCircle& circle, const Vec3d& wanted) {
+  return std::atan2(wanted.dot(circle.across), wanted.dot(circle.now));
+}
+
+/// The turn that brings the elbow onto the floor on the side of a direction, else as low as it gets.
+double swivelOntoFloor(const Figure& figure, const ElbowCircle& circle, const Vec3d& wanted) {
+  const double range = std::hypot(circle.now.y(), circle.across.y());
+  const double top = std::atan2(circle.across.y(), circle.now.y());
+  const double height = figure.floor() + figure.elbowHeight() - circle.centre.y();
+  const double away = std::acos(std::clamp(height / std::max(range, 1e-9), -1.0, 1.0));
+  const auto outwards = [&](double angle) {
+    return wanted.x() * (std::cos(angle) * circle.now + std::sin(angle) * circle.across).x();
+  };
+  const double angle = outwards(top + away) > outwards(top - away) ? top + away : top - away;
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
-void aimArm(const Figure& figure, Stance& stance, Side side, const Grip& grip, double weight, bool elbowsOnFloor) {
-  const Vec3d wrist = figure.position(stance, Role::wrist, side);
-  figure.reach(stance, Role::shoulder, Role::elbow, Role::wrist, side, wrist + weight * (grip.wrist - wrist));
-  figure.swivel(stance, side, weight * wrapped(elbowAngle(figure, stance, side, grip.elbowSide, elbowsOnFloor)));
+void aimArm(const Figure& figure, Stance& stance, Side side, const Grip& grip, const Aim& aim) {
+  const Vec3d& wrist = figure.position(stance, Role::wrist, side);
+  figure.reach(stance, Role::shoulder, Role::elbow, Role::wrist, side, wrist + aim.weight * (grip.wrist - wrist));
+  const double swivel =
+      aim.swivels ? (*aim.swivels)[placeOf(side)] : swivelTowards(elbowCircle(figure, stance, side), grip.elbowSide);
+  figure.swivel(stance, side, aim.weight * swivel);
   // Forearm and hand share the turn that lays the hand to the rifle, within what a wrist can do.
   const Quatd forearm = figure.partTurn(stance, Role::elbow, side);
   JointAngles hand = human::angles(Role::wrist, side, forearm.conjugate() * grip.hand);
   hand.flexion = std::clamp(hand.flexion, -45.0, 45.0);
   hand.abduction = std::clamp(hand.abduction, -22.0, 15.0);
   hand.axial = std::clamp(hand.axial, -80.0, 70.0);
-  figure.turnHand(stance, side, hand, weight);
+  figure.turnHand(stance, side, hand, aim.weight);
 }
 
 }  // namespace
@@ -102,8 +111,40 @@ void aimRifle(const Figure& figure, Stance& stance, const Aim& aim) {
     return;
   }
   const Rifle rifle = rifleOf(figure, stance, aim.supportReach);
-  aimArm(figure, stance, kTrigger, rifle.trigger, aim.weight, aim.elbowsOnFloor);
-  aimArm(figure, stance, kSupport, rifle.support, aim.weight, aim.elbowsOnFloor);
+  aimArm(figure, stance, kTrigger, rifle.trigger, aim);
+  aimArm(figure, stance, kSupport, rifle.support, aim);
+}
+
+FloorRest restOnElbows(const Figure& figure, const Stance& stance, double supportReach) {
+  FloorRest rest;
+  const auto reached = [&](Side side, double reach) {
+    Stance aiming = stance;
+    const Rifle rifle = rifleOf(figure, aiming, reach);
+    const Grip& grip = side == kTrigger ? rifle.trigger : rifle.support;
+    figure.reach(aiming, Role::shoulder, Role::elbow, Role::wrist, side, grip.wrist);
+    return elbowCircle(figure, aiming, side);
+  };
+  const auto touches = [&](double reach) {
+    const ElbowCircle circle = reached(kSupport, reach);
+    const double lowest = circle.centre.y() - std::hypot(circle.now.y(), circle.across.y());
+    return lowest <= figure.floor() + figure.elbowHeight();
+  };
+  rest.supportReach = supportReach;
+  if (!touches(supportReach)) {
+    double low = 0.4 * supportReach;
+    double high = supportReach;
+    for (int i = 0; i < 30; ++i) {
+      const double middle = 0.5 * (low + high);
+      (touches(middle) ? low : high) = middle;
+    }
+    rest.supportReach = low;
+  }
+  const Rifle rifle = rifleOf(figure, stance, rest.supportReach);
+  for (const Side side : kSides) {
+    const Vec3d& wanted = side == kTrigger ? rifle.trigger.elbowSide : rifle.support.elbowSide;
+    rest.swivels[placeOf(side)] = swivelOntoFloor(figure, reached(side, rest.supportReach), wanted);
+  }
+  return rest;
 }
 
 namespace {
@@ -150,7 +191,7 @@ constexpr double kToesBent = 65.0;  ///< most that toes under a foot bend, below
 
 /// How far along its way from toes bent under a standing foot to a foot lying on its back a pitched foot is.
 double lying(const Quatd& foot) {
-  constexpr double begin = 0.2;  // cosine of the foot's pitch
+  constexpr double begin = 0.5;  // cosine of the foot's pitch
   return minimumJerk((begin - (foot * Vec3d::UnitZ()).z()) / (2.0 * begin));
 }
 
@@ -168,9 +209,12 @@ double footDepth(const Figure& figure, const Stance& stance, Side side) {
 /// Lifts a foot that would dip into the floor; bends the toes that stand on it.
 void settleFoot(const Figure& figure, Stance& stance, Side side) {
   const Quatd foot = stance.carry[figure.joint(Role::ankle, side).value];
-  const double depth = footDepth(figure, stance, side);
-  if (depth > 0.0) {
-    const Vec3d ankle = figure.position(stance, Role::ankle, side);
+  // The floor meets the foot softly: the first millimetres do not lift it in full, so that it is not struck.
+  const double soft = 0.0046 * figure.stature();
+  const double dip = std::max(0.0, footDepth(figure, stance, side));
+  const double depth = dip < soft ? 0.5 * dip * dip / soft : dip - 0.5 * soft;
+  if (depth > 1e-9) {
+    const Vec3d& ankle = figure.position(stance, Role::ankle, side);
     figure.reach(stance, Role::hip, Role::knee, Role::ankle, side, ankle + Vec3d(0.0, depth, 0.0));
     figure.layFoot(stance, side, foot);
   }
@@ -184,9 +228,13 @@ void settleFoot(const Figure& figure, Stance& stance, Side side) {
 /// Puts a foot down, its ankle at a place; where the shank would lean further over it than an ankle bends, the heel
 /// rises about the ball.
 void plantFoot(const Figure& figure, Stance& stance, Side side, const Vec3d& ankle, const Quatd& foot) {
-  constexpr double most = 19.0;  // a degree below the limit of the joint table
+  constexpr double soft = 10.0;  // degrees over which the heel begins to rise
+  // A degree below the limit of the joint table, or what the rig rests with.
+  const double most = std::max(19.0, figure.rest().legs[placeOf(side)].ankle.flexion + soft);
   const Vec3d ball = foot * figure.ball(side);
+  const Stance before = stance;
   const auto beyond = [&](double heelUp) {
+    stance = before;
     figure.reach(stance, Role::hip, Role::knee, Role::ankle, side, ankle + ball - aboutX(heelUp) * ball);
     figure.layFoot(stance, side, aboutX(heelUp) * foot);
     settleFoot(figure, stance, side);
@@ -194,16 +242,15 @@ void plantFoot(const Figure& figure, Stance& stance, Side side, const Vec3d& ank
     const Quatd bend = shank.conjugate() * figure.partTurn(stance, Role::ankle, side);
     return human::angles(Role::ankle, side, bend).flexion - most;
   };
-  if (beyond(0.0) <= 0.0) {
-    return;
-  }
-  double low = 0.0;
+  double low = -30.0;
   double high = 80.0;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 16; ++i) {
     const double middle = 0.5 * (low + high);
     (beyond(middle) > 0.0 ? low : high) = middle;
   }
-  beyond(high);
+  // It begins to rise a little before it must, so that it does so without a jerk.
+  const double eased = high < soft ? 0.25 * std::pow(std::max(0.0, high + soft), 2.0) / soft : high;
+  beyond(eased);
 }
 
 }  // namespace
@@ -216,6 +263,10 @@ Task kneelAim() {
   };
   const double lumbar = pose(table, "lumbar", "flexion");
   const double frontDorsiflexion = pose(table, "front ankle", "dorsiflexion");
+  const double frontHipBend = pose(table, "front hip", "flexion");
+  const double frontKneeBend = pose(table, "front knee", "flexion");
+  const double shoulder = pose(own, "shoulder, both", "flexion");
+  const double elbow = pose(own, "elbow, both", "flexion");
   const double rearHip = pose(table, "rear hip", "flexion");
   const double rearKnee = pose(table, "rear knee", "flexion");
   const double rearPlantarflexion = pose(table, "rear ankle", "plantarflexion");
@@ -234,8 +285,8 @@ Task kneelAim() {
             attitude.neck = neck * s;
             const double aim = minimumJerk((s - 0.35) / 0.65);
             for (Arm& arm : attitude.arms) {
-              arm.shoulder = {45.0 * s, 0.0, 0.0};
-              arm.elbow.flexion = 80.0 * s;
+              arm.shoulder = {shoulder * s, 0.0, 0.0};
+              arm.elbow.flexion = elbow * s;
               arm.fingers = fingers * aim;
             }
             addRest(figure, attitude, restLeft(u));
@@ -243,7 +294,7 @@ Task kneelAim() {
             const LegLengths front = lengthsOf(figure, kSupport);
             const LegLengths rear = lengthsOf(figure, kTrigger);
             const double thighLean = tilt - rearHip;
-            const Vec3d frontAnkle = figure.restPosition(Role::ankle, kSupport);
+            const Vec3d& frontAnkle = figure.restPosition(Role::ankle, kSupport);
             const double hipHeight = figure.floor() + figure.kneeHeight() + rear.thigh * std::cos(radians(thighLean));
             const double kneeHeight = frontAnkle.y() + front.shank * std::cos(radians(frontDorsiflexion));
             const double rise = std::clamp((hipHeight - kneeHeight) / front.thigh, -0.9, 0.9);
@@ -265,11 +316,11 @@ Task kneelAim() {
             // The pelvis is turned, the legs are not: thigh and shank of the rear leg stand in one upright plane.
             back.hip.abduction *= 1.0 - s;
             back.knee.abduction *= 1.0 - s;
-            back.hip.axial = -turn * s;
+            back.hip.axial += s * (-turn - back.hip.axial);
             Leg& fore = attitude.legs[placeOf(kSupport)];
-            fore.hip.flexion += s * (85.0 - fore.hip.flexion);
-            fore.knee.flexion += s * (95.0 - fore.knee.flexion);
-            fore.hip.axial = turn * s;
+            fore.hip.flexion += s * (frontHipBend - fore.hip.flexion);
+            fore.knee.flexion += s * (frontKneeBend - fore.knee.flexion);
+            fore.hip.axial += s * (turn - fore.hip.axial);
             Stance stance = figure.take(attitude);
             // The rear knee stands below its hip; its ankle lies behind it.
             const Vec3d rearHipPlace = kneeling - yaw * half;
@@ -279,7 +330,7 @@ Task kneelAim() {
                 figure.restPosition(Role::ankle, kTrigger).x(),
                 figure.floor() + figure.kneeHeight() + rear.shank * std::sin(shankRise),
                 rearHipPlace.z() - rear.thigh * std::sin(radians(thighLean)) - rear.shank * std::cos(shankRise));
-            const Vec3d rearStand = figure.restPosition(Role::ankle, kTrigger);
+            const Vec3d& rearStand = figure.restPosition(Role::ankle, kTrigger);
             const double step = minimumJerk(s / 0.75);
             Vec3d rearAnkle = rearStand + step * (behind - rearStand);
             // The foot is lifted on its way back.
@@ -287,7 +338,7 @@ Task kneelAim() {
             plantFoot(figure, stance, kSupport, frontAnkle, Quatd::Identity());
             plantFoot(figure, stance, kTrigger, rearAnkle, aboutX(pitch * step));
             const double reach = figure.stature() / 1.755 * supportReach;
-            aimRifle(figure, stance, {aim, reach, false});
+            aimRifle(figure, stance, {aim, reach, std::nullopt});
             return stance;
           }};
 }
@@ -313,11 +364,10 @@ void bendLegs(const Figure& figure, Attitude& attitude, const JointAngles& hip, 
 
 /// Pitch of the pelvis, between 70 and 110 degrees, at which the shoulders are as high as leaning upper arms lift them
 /// from elbows on the floor.
-double pronePitch(const Figure& figure, Attitude attitude) {
+double pronePitch(const Figure& figure, Attitude attitude, double armLean) {
   const double arm =
       (figure.restPosition(Role::shoulder, kSupport) - figure.restPosition(Role::elbow, kSupport)).norm();
-  const double wanted = figure.floor() + figure.elbowHeight() +
-                        arm * std::cos(radians(tableValue("prone_aim", "upper arm, both", "lean from vertical")));
+  const double wanted = figure.floor() + figure.elbowHeight() + arm * std::cos(radians(armLean));
   double low = 70.0;
   double high = 110.0;
   for (int i = 0; i < 40; ++i) {
@@ -330,7 +380,8 @@ double pronePitch(const Figure& figure, Attitude attitude) {
   return 0.5 * (low + high);
 }
 
-ProneWay proneWay(const Figure& figure) {
+/// \param armLean degrees from the vertical by which the upper arms lean; sets how high the chest is
+ProneWay proneWay(const Figure& figure, double armLean) {
   constexpr auto table = "prone_rifle";
   constexpr auto own = "prone_aim";
   constexpr auto two = "kneel_two_knees";
@@ -366,7 +417,7 @@ ProneWay proneWay(const Figure& figure) {
   prone.thoracic.flexion = -tableValue(table, "thoracic_total", "extension");
   prone.neck = {-tableValue(table, "cervical_total", "extension"), 0.0, tableValue(table, "head", "axial to stock")};
   prone.head.flexion = -tableValue(table, "C0-C1", "extension");
-  prone.pelvis.flexion = pronePitch(figure, prone);
+  prone.pelvis.flexion = pronePitch(figure, prone, armLean);
   // The thighs slope down from the hips to knees that lie on the floor.
   const double slope = std::asin(std::clamp((figure.pelvisHeight() - figure.kneeHeight()) / leg.thigh, -0.5, 0.5));
   const JointAngles hips{prone.pelvis.flexion - 90.0 + base::degrees(slope),
@@ -384,8 +435,8 @@ ProneWay proneWay(const Figure& figure) {
     (depth > 0.0 ? low : high) = knee;
   }
   for (Arm& arm : prone.arms) {
-    arm.shoulder = {110.0, 20.0, 0.0};
-    arm.elbow.flexion = 80.0;
+    arm.shoulder = {tableValue(own, "shoulder, both", "flexion"), tableValue(own, "shoulder, both", "abduction"), 0.0};
+    arm.elbow.flexion = tableValue(own, "elbow, both", "flexion");
     arm.fingers = tableValue(own, "fingers, both", "flexion");
   }
   return way;
@@ -393,34 +444,60 @@ ProneWay proneWay(const Figure& figure) {
 
 }  // namespace
 
-Task proneAim() {
-  return {"prone_aim", 7.0, 30.0, [](const Figure& figure, double u) {
-            const ProneWay way = proneWay(figure);
-            const double s = upHoldDown(u);
-            // One posture turns into the next, at rest in each.
-            constexpr double kneel = 0.36;
-            constexpr double fours = 0.66;
-            const double toKneel = minimumJerk(s / kneel);
-            const double toFours = minimumJerk((s - kneel) / (fours - kneel));
-            const double toProne = minimumJerk((s - fours) / (1.0 - fours));
-            const Attitude attitude = figure.rest() * (1.0 - toKneel) + way.kneeling * (toKneel - toFours) +
-                                      way.fours * (toFours - toProne) + way.prone * toProne;
-            Stance stance = figure.take(attitude);
-            // The lower knee is on the floor from kneeling onwards.
-            const double knees = std::min(figure.position(stance, Role::knee, Side::left).y(),
-                                          figure.position(stance, Role::knee, Side::right).y());
-            figure.moveAll(stance, {0.0, toKneel * (figure.floor() + figure.kneeHeight() - knees), 0.0});
-            // As long as it stands, the feet stay where they are, the heels rise; then they follow the legs.
-            for (const Side side : kSides) {
-              const Vec3d free = figure.position(stance, Role::ankle, side);
-              const Quatd foot = Quatd::Identity().slerp(toKneel, stance.carry[figure.joint(Role::ankle, side).value]);
-              const Vec3d ball = figure.ball(side);
-              const Vec3d onBall = figure.restPosition(Role::ankle, side) + ball - foot * ball;
-              plantFoot(figure, stance, side, onBall + toKneel * (free - onBall), foot);
-            }
-            const double reach =
-                figure.stature() / 1.755 * tableValue("prone_aim", "trigger hand to support hand", "distance");
-            aimRifle(figure, stance, {toProne, reach, true});
+namespace {
+
+/// Shares of the way from standing over kneeling and all fours to lying; each posture is at rest.
+struct ProneShares {
+  double kneel = 0.0;
+  double fours = 0.0;
+  double prone = 0.0;
+
+  explicit ProneShares(double s) {
+    constexpr double kneeling = 0.36;
+    constexpr double onFours = 0.66;
+    kneel = minimumJerk(s / kneeling);
+    fours = minimumJerk((s - kneeling) / (onFours - kneeling));
+    prone = minimumJerk((s - onFours) / (1.0 - onFours));
+  }
+};
+
+/// The stance on the way, arms not yet at the rifle.
+Stance onTheWay(const Figure& figure, const ProneWay& way, const ProneShares& share) {
+  Stance stance = figure.take(figure.rest() * (1.0 - share.kneel) + way.kneeling * (share.kneel - share.fours) +
+                              way.fours * (share.fours - share.prone) + way.prone * share.prone);
+  // The lower knee is on the floor from kneeling onwards.
+  const double knees = std::min(figure.position(stance, Role::knee, Side::left).y(),
+                                figure.position(stance, Role::knee, Side::right).y());
+  figure.moveAll(stance, {0.0, share.kneel * (figure.floor() + figure.kneeHeight() - knees), 0.0});
+  // As long as it stands, the balls of the feet stay where they are; then the feet follow the legs.
+  for (const Side side : kSides) {
+    const Vec3d& free = figure.position(stance, Role::ankle, side);
+    const Quatd foot = Quatd::Identity().slerp(share.kneel, stance.carry[figure.joint(Role::ankle, side).value]);
+    const Vec3d ball = figure.ball(side);
+    const Vec3d onBall = figure.restPosition(Role::ankle, side) + ball - foot * ball;
+    plantFoot(figure, stance, side, onBall + share.kneel * (free - onBall), foot);
+  }
+  return stance;
+}
+
+}  // namespace
+
+Task proneAim(const Figure& figure) {
+  const double reach = figure.stature() / 1.755 * tableValue("prone_aim", "trigger hand to support hand", "distance");
+  // Arms that are short for their trunk lie lower, up to 15 degrees more than the table's lean.
+  double lean = tableValue("prone_aim", "upper arm, both", "lean from vertical");
+  const double most = lean + 15.0;
+  ProneWay way = proneWay(figure, lean);
+  FloorRest rest = restOnElbows(figure, onTheWay(figure, way, ProneShares(1.0)), reach);
+  while (rest.supportReach < reach && lean < most) {
+    lean += 2.5;
+    way = proneWay(figure, lean);
+    rest = restOnElbows(figure, onTheWay(figure, way, ProneShares(1.0)), reach);
+  }
+  return {"prone_aim", 9.0, 30.0, [=](const Figure& same, double u) {
+            const ProneShares share(upHoldDown(u));
+            Stance stance = onTheWay(same, way, share);
+            aimRifle(same, stance, {share.prone, rest.supportReach, rest.swivels});
             return stance;
           }};
 }

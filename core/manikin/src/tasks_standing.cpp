@@ -9,6 +9,16 @@ namespace lorica::manikin {
 using base::degrees;
 using base::radians;
 
+namespace {
+
+/// Degrees by which the upper end of a bone lies before its lower one.
+double leanAtRest(const Figure& figure, Side side, Role lower, Role upper) {
+  const Vec3d bone = figure.restPosition(upper, side) - figure.restPosition(lower, side);
+  return degrees(std::atan2(bone.z(), bone.y()));
+}
+
+}  // namespace
+
 void standOn(const Figure& figure, Attitude& attitude, double shankLean, double thighLean) {
   Vec3d place = Vec3d::Zero();
   for (const Side side : kSides) {
@@ -23,9 +33,14 @@ void standOn(const Figure& figure, Attitude& attitude, double shankLean, double 
     const Leg& rest = figure.rest().legs[placeOf(side)];
     Leg& leg = attitude.legs[placeOf(side)];
     leg = rest;
-    leg.hip.flexion = attitude.pelvis.flexion - thighLean;
-    leg.knee.flexion = shankLean - thighLean;
-    leg.ankle.flexion = shankLean;
+    const auto more = [&](Role lower, Role upper, double lean) {
+      return lean - leanAtRest(figure, side, lower, upper);
+    };
+    const double thigh = more(Role::knee, Role::hip, thighLean);
+    const double shank = more(Role::ankle, Role::knee, shankLean);
+    leg.hip.flexion += attitude.pelvis.flexion - thigh;
+    leg.knee.flexion += shank - thigh;
+    leg.ankle.flexion += shank;
   }
   attitude.place = place;
 }
@@ -66,12 +81,8 @@ struct Leans {
 Leans restLeans(const Figure& figure) {
   Leans leans;
   for (const Side side : kSides) {
-    const auto lean = [&](Role lower, Role upper) {
-      const Vec3d bone = figure.restPosition(upper, side) - figure.restPosition(lower, side);
-      return degrees(std::atan2(bone.z(), bone.y()));
-    };
-    leans.shank += 0.5 * lean(Role::ankle, Role::knee);
-    leans.thigh += 0.5 * lean(Role::knee, Role::hip);
+    leans.shank += 0.5 * leanAtRest(figure, side, Role::ankle, Role::knee);
+    leans.thigh += 0.5 * leanAtRest(figure, side, Role::knee, Role::hip);
   }
   return leans;
 }
@@ -202,6 +213,26 @@ Task bellyTwist() {
           }};
 }
 
+namespace {
+
+/// How much higher (or, below zero, lower) the hips may be so that neither leg is longer than at rest.
+double reachableRise(const Figure& figure, const Vec3d& place) {
+  std::array<double, 2> rises{};
+  for (const Side side : kSides) {
+    const Vec3d hip = place + figure.restPosition(Role::hip, side) - figure.restHips();
+    const Vec3d bone = hip - figure.restPosition(Role::ankle, side);
+    const double length = (figure.restPosition(Role::hip, side) - figure.restPosition(Role::ankle, side)).norm();
+    const double aside = std::hypot(bone.x(), bone.z());
+    rises[placeOf(side)] = std::sqrt(std::max(length * length - aside * aside, 0.0)) - bone.y();
+  }
+  // The lower of the two, rounded where they change places.
+  const double round = 0.0005 * figure.stature();
+  const double half = 0.5 * (rises[0] - rises[1]);
+  return 0.5 * (rises[0] + rises[1]) - (std::hypot(half, round) - round);
+}
+
+}  // namespace
+
 Task lateralTwist() {
   constexpr auto motion = "lateral_twist";
   constexpr auto table = "lateral_bend_twist";
@@ -211,19 +242,20 @@ Task lateralTwist() {
   const Curve thoracicTurn = tableCurve(table, "thoracic_total", "axial");
   const Curve thoracicFlexion = tableCurve(table, "thoracic_total", "flexion");
   const Curve hips = tableCurve("lateral_bend", "hip, both", "frontal shift (abd one side/add other)");
+  const Curve neckBend = tableCurve(motion, "cervical_total", "lateral bend");
   const Curve abduction = tableCurve(motion, "shoulder, both", "abduction");
   return {motion, 4.0, 30.0, [=](const Figure& figure, double u) {
             Attitude attitude;
             attitude.lumbar = {0.0, lumbarBend.at(u), lumbarTurn.at(u)};
             attitude.thoracic = {thoracicFlexion.at(u), thoracicBend.at(u), thoracicTurn.at(u)};
-            attitude.neck = {0.0, 0.4 * lumbarBend.at(u), 0.0};
+            attitude.neck = {0.0, neckBend.at(u), 0.0};
             setArms(attitude, {0.0, abduction.at(u), 0.0}, 0.0);
             addRest(figure, attitude, restLeft(u));
             standOnTable(figure, attitude, u, 0.0, 0.0);
-            // The pelvis gives way to the other side; the legs lean as a parallelogram.
+            // The pelvis gives way to the other side, as high as both legs reach.
             const double height = attitude.place.y() - figure.restPosition(Role::ankle, Side::left).y();
             attitude.place.x() -= height * std::sin(radians(hips.at(u)));
-            attitude.place.y() -= height * (1.0 - std::cos(radians(hips.at(u))));
+            attitude.place.y() += reachableRise(figure, attitude.place);
             return standing(figure, attitude);
           }};
 }

@@ -14,8 +14,9 @@ using base::radians;
 
 constexpr int kKeys = 44;           ///< per cycle; even, so that half a cycle is a key
 constexpr double kToeOff = 0.62;    ///< share of the cycle a foot is on the ground
-constexpr double kFlatFrom = 0.08;  ///< the sole lies flat
+constexpr double kFlatFrom = 0.12;  ///< the sole lies flat
 constexpr double kFlatUntil = 0.34;
+constexpr double kClearance = 0.018;  ///< by which the swinging foot is lifted further, fraction of stature
 constexpr double kPi = std::numbers::pi;
 
 /// One side's angles over the cycle that begins with its heel's contact, and the trunk's.
@@ -33,7 +34,10 @@ struct Gait {
   Curve lumbarExtension = tableCycle("walking_gait", "lumbar_total", "extension(+)");
   double armBack = tableValue("walk", "shoulder, right", "flexion");
   double armFore = tableCurve("walk", "shoulder, right", "flexion").at(0.5);
+  double armsOut = tableValue("walk", "shoulder, both", "abduction");
   double elbow = tableValue("walk", "elbow, both", "flexion");
+  double elbowSwing = tableValue("walk", "elbow, both", "flexion swing");
+  double fingers = tableValue("walk", "fingers, both", "flexion");
 
   /// What changes its sign from one step to the next, and what does not, freed of the measured person's asymmetry.
   static double odd(const Curve& curve, double phase) { return 0.5 * (curve.at(phase) - curve.at(phase + 0.5)); }
@@ -48,9 +52,9 @@ struct Gait {
       const double own = side == Side::right ? phase : phase + 0.5;
       const double swing = std::cos(2.0 * kPi * own);
       Arm& arm = a.arms[placeOf(side)];
-      arm.shoulder = {0.5 * (armBack + armFore) + 0.5 * (armBack - armFore) * swing, 7.0, 0.0};
-      arm.elbow.flexion = elbow - 8.0 * swing;
-      arm.fingers = 15.0;
+      arm.shoulder = {0.5 * (armBack + armFore) + 0.5 * (armBack - armFore) * swing, armsOut, 0.0};
+      arm.elbow.flexion = elbow - elbowSwing * swing;
+      arm.fingers = fingers;
       Leg& leg = a.legs[placeOf(side)];
       leg.hip = {hipFlexion.at(own), -hipAdduction.at(own), hipRotation.at(own)};
       leg.knee.flexion = knee.at(own);
@@ -70,12 +74,13 @@ Quatd pitched(double degrees) {
   return Quatd(Eigen::AngleAxisd(radians(degrees), Vec3d::UnitX()));
 }
 
-/// Heel and ball on the sole, from the ankle of a foot at rest.
+/// What a foot rolls over, from the ankle of a foot at rest: the heel on the sole, the ball's joint over toes that
+/// stay.
 Vec3d heelOf(const Figure& figure, Side side) {
   return {0.0, -figure.soleHeight(side), -0.030 * figure.stature()};
 }
 Vec3d ballOf(const Figure& figure, Side side) {
-  return {0.0, -figure.soleHeight(side), figure.ball(side).z()};
+  return figure.ball(side);
 }
 
 /// Where the ankle goes: what table and skeleton give for one side, seen from the middle of the hips.
@@ -131,7 +136,7 @@ class Walk {
 
   /// Measured feet are never quite level in mid-stance; a sole on the ground is.
   static double flattened(double phase, double pitch) {
-    constexpr double edge = 0.08;
+    constexpr double edge = 0.11;
     const double flat =
         minimumJerk((phase - kFlatFrom + edge) / edge) * minimumJerk((kFlatUntil + edge - phase) / edge);
     return pitch * (1.0 - flat);
@@ -144,9 +149,10 @@ class Walk {
     return std::min(heelUp, 55.0) * share;
   }
 
-  /// Sole's lowest point below the ankle and where it is, turned by the foot's pitch.
-  Vec3d contact(Side side, double pitch) const {
-    return pitched(pitch) * (pitch > 0.0 ? ballOf(figure_, side) : heelOf(figure_, side));
+  /// How far the ankle of a foot on the ground is from where it is when the foot lies flat.
+  Vec3d rolled(Side side, double pitch) const {
+    const Vec3d pivot = pitch > 0.0 ? ballOf(figure_, side) : heelOf(figure_, side);
+    return pivot - pitched(pitch) * pivot;
   }
 
   /// The hips rise and sink twice a cycle: mean and second harmonic of what the standing legs ask for.
@@ -161,7 +167,8 @@ class Walk {
             std::pow(std::max(0.0, std::sin(kPi * phaseOf(own) / kToeOff)), 2.0) * (own <= stanceKeys() ? 1.0 : 0.0);
         const FootPath& path = paths_[placeOf(side)];
         const auto k = static_cast<std::size_t>(own);
-        wanted += weight * (figure_.floor() - path.ankle[k].y() - contact(side, path.pitch[k]).y());
+        wanted +=
+            weight * (figure_.floor() + figure_.soleHeight(side) + rolled(side, path.pitch[k]).y() - path.ankle[k].y());
         weights += weight;
       }
       const double height = wanted / weights;
@@ -197,14 +204,17 @@ class Walk {
     for (const Side side : kSides) {
       const FootPath& path = paths_[placeOf(side)];
       auto& corrections = corrections_[placeOf(side)];
+      // The foot stays on its track while it stands.
+      double track = 0.0;
+      for (int own = 0; own <= stance; ++own) {
+        track += path.ankle[static_cast<std::size_t>(own)].x() / (stance + 1);
+      }
       // Height of the hips is a function of the right leg's phase.
       const auto heightAt = [&](int own) { return place(ownKey(own, side)).y(); };
       const auto grounded = [&](int own) {
         const auto k = static_cast<std::size_t>(own);
-        const double pitch = path.pitch[k];
-        const Vec3d pivot = pitch > 0.0 ? ballOf(figure_, side) : heelOf(figure_, side);
-        const Vec3d lift = pivot - pitched(pitch) * pivot;
-        return Vec3d(path.ankle[k].x(), figure_.floor() + figure_.soleHeight(side) + lift.y() - heightAt(own),
+        const Vec3d lift = rolled(side, path.pitch[k]);
+        return Vec3d(track, figure_.floor() + figure_.soleHeight(side) + lift.y() - heightAt(own),
                      -perKey * own + lift.z());
       };
       double ahead = 0.0;
@@ -216,15 +226,20 @@ class Walk {
             grounded(own) + Vec3d(0.0, 0.0, ahead) - path.ankle[static_cast<std::size_t>(own)];
       }
       const auto at = [&](int own) -> Vec3d& { return corrections[static_cast<std::size_t>(own)]; };
+      // In the air the correction goes over from one end's to the other's; what speed it has at the ends fades within
+      // a few keys.
+      constexpr double fade = 5.0;
       const double span = kKeys - stance;
-      const Vec3d slope0 = span * (at(stance) - at(stance - 1));
-      const Vec3d slope1 = span * (at(1) - at(0));
+      const auto runOut = [&](double keys) { return keys < fade ? keys * std::pow(1.0 - keys / fade, 2.0) : 0.0; };
+      const Vec3d leaving = at(stance) - at(stance - 1);
+      const Vec3d coming = at(1) - at(0);
       for (int own = stance + 1; own < kKeys; ++own) {
-        const double u = (own - stance) / span;
-        const double u2 = u * u;
-        const double u3 = u2 * u;
-        at(own) = (2 * u3 - 3 * u2 + 1) * at(stance) + (u3 - 2 * u2 + u) * slope0 + (-2 * u3 + 3 * u2) * at(0) +
-                  (u3 - u2) * slope1;
+        const double share = minimumJerk((own - stance) / span);
+        // Measured toes clear the ground barely, and those of another skeleton may not.
+        const double arc = std::pow(std::sin(kPi * (own - stance) / span), 2.0);
+        const Vec3d clear(0.0, kClearance * figure_.stature() * arc, 0.0);
+        at(own) = clear + (1.0 - share) * at(stance) + share * at(0) + runOut(own - stance) * leaving -
+                  runOut(kKeys - own) * coming;
       }
     }
   }

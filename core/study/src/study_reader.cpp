@@ -100,6 +100,47 @@ MeshSource readMesh(const Node& node) {
   return mesh;
 }
 
+/// Joints and what they stand for: a name or a list of names for each role.
+std::vector<human::RoleEntry> readJointRoles(const Node& node) {
+  std::vector<human::RoleEntry> entries;
+  for (const auto& [role, value] : node.members("an object of roles and the joints that play them")) {
+    human::RoleEntry entry{role, {}};
+    if (value.isList()) {
+      entry.joints = nameList(value, "names of joints");
+    } else {
+      entry.joints.push_back(value.name("the name of a joint, or a list of them"));
+    }
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+void readHuman(const Node& node, Study& study) {
+  node.checkObject("a human with \"file\" or \"builtin\"", humanKeys);
+  study.human = readMesh(node);
+  const bool builtin = std::holds_alternative<Builtin>(study.human.from);
+  for (const char* key : {"sex", "stature_m", "mass_kg"}) {
+    if (!builtin && node[key].present()) {
+      node[key].fail("belongs to the \"builtin\" human; remove it here");
+    }
+  }
+  if (const Node sex = node["sex"]; sex.present()) {
+    study.person.sex = sex.choice(sexWords);
+  }
+  if (const Node stature = node["stature_m"]; stature.present()) {
+    study.person.stature = stature.number({1.0, 2.5, true, "a stature in m, 1 to 2.5"});
+  }
+  if (const Node mass = node["mass_kg"]; mass.present()) {
+    study.person.mass = mass.number({20.0, 300.0, true, "a mass in kg, 20 to 300"});
+  }
+  if (const Node roles = node["joint_roles"]; roles.present()) {
+    if (builtin) {
+      roles.fail("belongs to a \"file\"; the built-in human needs none");
+    }
+    study.jointRoles = readJointRoles(roles);
+  }
+}
+
 std::string readDescription(const Node& node) {
   const Node text = node["description"];
   return text.present() ? text.text("a text") : "";
@@ -396,9 +437,7 @@ Study parseStudy(std::string_view json, const std::string& file) {
     study.name = name.name("a name");
   }
   study.description = readDescription(root);
-  const Node human = root["human"];
-  human.checkObject("a human with \"file\" or \"builtin\"", humanKeys);
-  study.human = readMesh(human);
+  readHuman(root["human"], study);
   readLists(root, study);
   if (const Node trials = root["trials"]; trials.present()) {
     study.trials = static_cast<std::uint32_t>(trials.whole(1, 100000));

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "lorica/study/reserved_names.h"
 #include "lorica/study/study.h"
 
 namespace lorica::study {
@@ -16,7 +17,8 @@ inline constexpr auto studyKeys =
     std::to_array<std::string_view>({"lorica_study", "name", "description", "human", "organs", "armor", "poses",
                                      "run_poses", "sources", "models", "trials", "seed", "site_spacing_mm", "display"});
 inline constexpr auto humanKeys =
-    std::to_array<std::string_view>({"file", "sha256", "units", "up", "builtin", "parts"});
+    std::to_array<std::string_view>({"file", "sha256", "units", "up", "builtin", "parts", "sex", "stature_m", "mass_kg",
+                                     "joint_roles"});
 inline constexpr auto organKeys = std::to_array<std::string_view>(
     {"name", "description", "file", "sha256", "units", "up", "builtin", "parts", "class", "joint", "lattice"});
 inline constexpr auto latticeKeys = std::to_array<std::string_view>({"layout", "cells", "cell_mm", "prune"});
@@ -34,6 +36,8 @@ inline constexpr auto displayKeys = std::to_array<std::string_view>({"structure"
 template <class Value>
 using Word = std::pair<std::string_view, Value>;
 
+inline constexpr auto sexWords =
+    std::to_array<Word<human::Sex>>({{"male", human::Sex::male}, {"female", human::Sex::female}});
 inline constexpr auto layoutWords =
     std::to_array<Word<LatticeSettings::Layout>>({{"bounding_box", LatticeSettings::Layout::boundingBox},
                                                   {"uniform", LatticeSettings::Layout::uniform},
@@ -56,11 +60,6 @@ inline constexpr auto classWords =
     std::to_array<Word<std::string_view>>({{"essential", "essential"}, {"desirable", "desirable"}});
 /// Sources are points so far.
 inline constexpr auto sourceTypeWords = std::to_array<Word<std::string_view>>({{"point", "point"}});
-
-/// Rows of the results that no organ or armor piece may be named like.
-inline constexpr auto reservedStructures = std::to_array<std::string_view>({"body", "miss", "armor", "organs"});
-inline constexpr std::string_view unarmored = "unarmored";
-inline constexpr std::string_view restPose = "rest";
 
 /// The text of a choice. \pre the value is in the table
 template <class Value, std::size_t N>

@@ -90,6 +90,20 @@ void putMesh(Json& object, const MeshSource& mesh) {
   putNames(object, "parts", mesh.parts);
 }
 
+Json humanJson(const Study& study) {
+  Json object = Json::object();
+  putMesh(object, study.human);
+  if (std::holds_alternative<Builtin>(study.human.from)) {
+    object["sex"] = wordFor(study.person.sex, sexWords);
+    object["stature_m"] = study.person.stature;
+    object["mass_kg"] = study.person.mass;
+  }
+  for (const human::RoleEntry& entry : study.jointRoles) {
+    object["joint_roles"][entry.role] = entry.joints.size() == 1 ? Json(entry.joints.front()) : Json(entry.joints);
+  }
+  return object;
+}
+
 Json named(const std::string& name, const std::string& description) {
   Json object;
   object["name"] = name;
@@ -212,8 +226,7 @@ Json studyJson(const Study& study) {
   root["lorica_study"] = studyVersion;
   putText(root, "name", study.name);
   putText(root, "description", study.description);
-  root["human"] = Json::object();
-  putMesh(root["human"], study.human);
+  root["human"] = humanJson(study);
   putList(root, "organs", study.organs, organJson);
   putList(root, "armor", study.systems, systemJson);
   putList(root, "poses", study.poses, poseJson);

@@ -95,6 +95,8 @@ std::vector<Edit> allEdits() {
       {"NearestJoint", [](D& d) { setJoint(d, "liver", {}); }, Change::organs, "Joint of liver"},
       {"Lattice", [](D& d) { setLattice(d, "heart", threeCells()); }, Change::organs, "Lattice of heart"},
       {"Carriage", [](D& d) { setCarriage(d, "small", study::Carriage::skinned); }, Change::armor, "Carriage of small"},
+      {"Material", [](D& d) { setMaterial(d, "small", "UHMWPE"); }, Change::armor, "Material of small"},
+      {"ArealDensity", [](D& d) { setArealDensity(d, "small", 24.5); }, Change::armor, "Areal density of small"},
       {"NonProtecting",
        [](D& d) {
          setNonProtecting(d, "front", {"strap", "pouch*"});

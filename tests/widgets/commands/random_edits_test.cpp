@@ -137,7 +137,7 @@ class RandomEditor {
 
   void addOrgan() {
     study::Study after = study();
-    after.organs.push_back({fresh("organ "), {study::Builtin{"plain/heart"}, {}}, "", {}, {}, {}});
+    after.organs.push_back({fresh("organ "), {study::Builtin{"human/heart"}, {}}, "", {}, {}, {}});
     replaceStudy(document_, after, "Add organ");
   }
   void addSystem() {
@@ -205,6 +205,13 @@ class RandomEditor {
     for (const study::ArmorSystem& system : study().systems) {
       if (!system.pieces.empty() && below(2) == 0) {
         const std::string piece = oneOf(system.pieces).name;
+        if (below(3) == 0) {
+          return below(2) == 0
+                     ? setMaterial(document_, piece, name())
+                     : setArealDensity(
+                           document_, piece,
+                           below(2) == 0 ? std::nullopt : std::optional(0.5 * static_cast<double>(1 + below(60))));
+        }
         if (below(2) == 0) {
           return setCarriage(document_, piece, below(2) == 0 ? study::Carriage::rigid : study::Carriage::skinned);
         }

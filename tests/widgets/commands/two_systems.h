@@ -11,11 +11,11 @@ inline study::Study twoSystems() {
   return study::parseStudy(R"({
     "lorica_study": 1,
     "name": "two systems",
-    "human": {"builtin": "plain"},
+    "human": {"builtin": "human"},
     "organs": [
-      {"name": "heart", "builtin": "plain/heart", "class": "essential"},
-      {"name": "liver", "builtin": "plain/liver", "joint": "spine_2"},
-      {"name": "widget", "builtin": "plain/spleen"}
+      {"name": "heart", "builtin": "human/heart", "class": "essential"},
+      {"name": "liver", "builtin": "human/liver", "joint": "spine_2"},
+      {"name": "widget", "builtin": "human/spleen"}
     ],
     "armor": [
       {"name": "plates", "pieces": [{"name": "front", "builtin": "front_plate"},

@@ -234,8 +234,8 @@ TEST_F(Document, SelectsOnlyWhatExists) {
   for (const ItemRef& item : std::vector<ItemRef>{{ItemKind::study, ""},
                                                   {ItemKind::body, ""},
                                                   {ItemKind::organ, "heart"},
-                                                  {ItemKind::system, "plates"},
-                                                  {ItemKind::piece, "front_plate_alone"},
+                                                  {ItemKind::system, "full_torso"},
+                                                  {ItemKind::piece, "carrier_plate_front"},
                                                   {ItemKind::pose, "rest"},
                                                   {ItemKind::pose, "toe_touch@2"},
                                                   {ItemKind::source, "front"}}) {

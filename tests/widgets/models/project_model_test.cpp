@@ -133,13 +133,17 @@ TEST_F(ProjectModelTest, CheckBoxOfASectionIsOneStepForAllBelow) {
 }
 
 TEST_F(ProjectModelTest, CheckBoxOfASystemIsThatOfItsPieces) {
-  const QModelIndex system = model_.indexOf(ItemRef{ItemKind::system, "plates"});
+  const QModelIndex system = model_.indexOf(ItemRef{ItemKind::system, "full_torso"});
   model_.setData(system, Qt::Checked, Qt::CheckStateRole);
   EXPECT_EQ(stateAt(system), Qt::Checked);
-  model_.setData(model_.indexOf(ItemRef{ItemKind::piece, "back_plate"}), Qt::Unchecked, Qt::CheckStateRole);
+  model_.setData(model_.indexOf(ItemRef{ItemKind::piece, "plate_back"}), Qt::Unchecked, Qt::CheckStateRole);
   EXPECT_EQ(stateAt(system), Qt::PartiallyChecked);
-  EXPECT_TRUE(isVisible("front_plate"));
-  EXPECT_EQ(model_.structuresAt(system), (std::vector<std::string>{"front_plate", "back_plate"}));
+  EXPECT_TRUE(isVisible("plate_front"));
+  std::vector<std::string> pieces;
+  for (const study::ArmorPiece& piece : document_.study().systems.front().pieces) {
+    pieces.push_back(piece.name);
+  }
+  EXPECT_EQ(model_.structuresAt(system), pieces);
 }
 
 TEST_F(ProjectModelTest, OnlyWhatIsDrawnHasACheckBox) {
@@ -199,10 +203,10 @@ TEST_F(ProjectModelTest, DetailsFollowEditsWithoutAReset) {
   QSignalSpy resets(&model_, &QAbstractItemModel::modelReset);
   commands::setInjuryClass(document_, "stomach", "desirable");
   commands::setSourceShots(document_, "front", 1234567);
-  commands::setCarriage(document_, "front_plate", study::Carriage::skinned);
+  commands::setCarriage(document_, "plate_front", study::Carriage::skinned);
   EXPECT_EQ(details({ItemKind::organ, "stomach"}), "desirable");
   EXPECT_TRUE(details({ItemKind::source, "front"}).contains("1,234,567"));
-  EXPECT_EQ(details({ItemKind::piece, "front_plate"}), "skinned");
+  EXPECT_EQ(details({ItemKind::piece, "plate_front"}), "skinned");
   EXPECT_EQ(details({ItemKind::pose, "toe_touch@2"}), "2 s of toe_touch");
   EXPECT_EQ(resets.count(), 0);
 }

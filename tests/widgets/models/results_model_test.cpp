@@ -151,14 +151,14 @@ TEST_F(ResultsModelTest, UnsortedRowsKeepTheOrderOfTheFile) {
 }
 
 TEST_F(ResultsModelTest, FiltersKeepExactlyTheRowsThatFit) {
-  filter_.setWanted(ResultsModel::systemColumn, "plates");
+  filter_.setWanted(ResultsModel::systemColumn, "full_torso");
   filter_.setWanted(ResultsModel::poseColumn, "toe_touch@2");
   filter_.setWanted(ResultsModel::kindColumn, "organ");
   filter_.setText("LUNG");
   std::vector<int> expected;
   for (const int row : allRows()) {
     const analysis::ResultRow& one = model_.row(row);
-    if (one.system == "plates" && one.pose == "toe_touch@2" && one.kind == "organ" &&
+    if (one.system == "full_torso" && one.pose == "toe_touch@2" && one.kind == "organ" &&
         one.structure.starts_with("lung")) {
       expected.push_back(row);
     }

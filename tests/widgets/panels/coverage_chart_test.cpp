@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QGraphicsScene>
 #include <QPainter>
+#include <QValueAxis>
 #include <cmath>
 
 #include "lorica/panels/bar_figure.h"
@@ -23,7 +24,7 @@ class CoverageChartTest : public testing::Test {
     testsupport::addSampleRun(document_);
     chart_.setRun(document_.runs().back());
     chart_.setPose("toe_touch@2");
-    chart_.setSystem("plates");
+    chart_.setSystem("full_torso");
     chart_.resize(900, 500);
     chart_.show();
     QCoreApplication::processEvents();
@@ -31,7 +32,7 @@ class CoverageChartTest : public testing::Test {
 
   const ResultRow& rowOf(const std::string& organ, const std::string& model) const {
     for (const ResultRow& row : chart_.run()->summary) {
-      if (row.structure == organ && row.model == model && row.pose == "toe_touch@2" && row.system == "plates") {
+      if (row.structure == organ && row.model == model && row.pose == "toe_touch@2" && row.system == "full_torso") {
         return row;
       }
     }
@@ -128,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Measures, EachMeasure,
 
 TEST_F(CoverageChartTest, SaysWhatItShows) {
   EXPECT_TRUE(chart_.figure().title().contains("toe_touch@2"));
-  EXPECT_TRUE(chart_.figure().title().contains("plates"));
+  EXPECT_TRUE(chart_.figure().title().contains("full_torso"));
   EXPECT_TRUE(chart_.figure().axes(Qt::Vertical).front()->titleText().contains("%")) << "the unit";
   chart_.setPose("rest");
   EXPECT_TRUE(chart_.figure().title().contains("rest"));
@@ -225,6 +226,22 @@ TEST(ModelColours, DifferInHueAndInGrey) {
   EXPECT_GT(std::abs(qGray(modelColour("static_joint").rgb()) - qGray(modelColour("dynamic").rgb())), 50);
   EXPECT_NE(modelColour("static_skin"), modelColour("static_joint"));
   EXPECT_NE(modelColour("dynamic_thesis"), modelColour("dynamic"));
+}
+
+TEST_F(CoverageChartTest, WhereThereIsLittleHeightItIsForTheBarsAndValuesCarryTheirUnit) {
+  const auto* values = qobject_cast<QValueAxis*>(chart_.figure().axes(Qt::Vertical).front());
+  ASSERT_NE(values, nullptr);
+  EXPECT_FALSE(values->titleText().isEmpty());
+  chart_.resize(460, 250);
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(chart_.figure().title().isEmpty());
+  EXPECT_TRUE(values->titleText().isEmpty()) << "it would be cut off";
+  EXPECT_TRUE(values->labelFormat().contains("%%")) << "the unit";
+  EXPECT_GT(chart_.figure().plotArea().height(), 0.33 * chart_.figure().size().height());
+  chart_.resize(900, 500);
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(chart_.figure().title().isEmpty());
+  EXPECT_FALSE(values->titleText().isEmpty());
 }
 
 }  // namespace

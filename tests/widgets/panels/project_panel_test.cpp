@@ -111,13 +111,13 @@ TEST_F(ProjectPanelTest, MenuOffersWhatFitsTheRow) {
 }
 
 TEST_F(ProjectPanelTest, HideAndShowGoThroughTheMenu) {
-  choose({ItemKind::system, "plates"});
-  commands::setAllVisible(document_, {"front_plate", "back_plate"}, true, "Show");
+  choose({ItemKind::system, "full_torso"});
+  commands::setAllVisible(document_, {"plate_front", "plate_back"}, true, "Show");
   entry("Hide")->trigger();
-  EXPECT_FALSE(isVisible("front_plate"));
-  EXPECT_FALSE(isVisible("back_plate"));
+  EXPECT_FALSE(isVisible("plate_front"));
+  EXPECT_FALSE(isVisible("plate_back"));
   entry("Show")->trigger();
-  EXPECT_TRUE(isVisible("back_plate"));
+  EXPECT_TRUE(isVisible("plate_back"));
 }
 
 TEST_F(ProjectPanelTest, DeleteKeyRemovesTheCurrentItem) {

@@ -104,11 +104,11 @@ TEST(PropertiesPanel, IsEmptyWithoutASelection) {
 TEST_F(Properties, LookingAtThingsEditsNothing) {
   testsupport::addSampleRun(document_);
   QSignalSpy edits(&document_, &document::StudyDocument::studyChanged);
-  for (const ItemRef& item :
-       {ItemRef{}, ItemRef{ItemKind::body, ""}, ItemRef{ItemKind::organ, "heart"}, ItemRef{ItemKind::system, "plates"},
-        ItemRef{ItemKind::piece, "front_plate"}, ItemRef{ItemKind::pose, "rest"},
-        ItemRef{ItemKind::pose, "toe_touch@2"}, ItemRef{ItemKind::source, "front"}, ItemRef{ItemKind::run, "Run 1"},
-        ItemRef{ItemKind::region, document_.loaded()->body->body().regions.names.front()}}) {
+  for (const ItemRef& item : {ItemRef{}, ItemRef{ItemKind::body, ""}, ItemRef{ItemKind::organ, "heart"},
+                              ItemRef{ItemKind::system, "full_torso"}, ItemRef{ItemKind::piece, "plate_front"},
+                              ItemRef{ItemKind::pose, "rest"}, ItemRef{ItemKind::pose, "toe_touch@2"},
+                              ItemRef{ItemKind::source, "front"}, ItemRef{ItemKind::run, "Run 1"},
+                              ItemRef{ItemKind::region, document_.loaded()->body->body().regions.names.front()}}) {
     document_.select(item);
     ASSERT_NE(panel_.form(), nullptr) << item.name;
     EXPECT_EQ(document_.selection(), item);
@@ -198,8 +198,27 @@ TEST_F(Properties, ColourGoesBackToTheDefault) {
             document::defaultAppearance(document_.study(), "heart").colour);
 }
 
+TEST_F(Properties, WhatAPieceIsMadeOfIsKeptForTheRecordAndCanBeTakenBack) {
+  select(ItemKind::piece, "plate_front");
+  const auto piece = [this]() -> const study::ArmorPiece& { return document_.study().systems[0].pieces[0]; };
+  const study::Study before = document_.study();
+  auto* material = editor<QLineEdit>("material");
+  material->setFocus();
+  material->selectAll();
+  QTest::keyClicks(material, "  boron  carbide ");
+  QTest::keyClick(material, Qt::Key_Return);
+  EXPECT_EQ(piece().material, "boron carbide");
+  auto* density = editor<QDoubleSpinBox>("density");
+  density->setValue(32.5);
+  EXPECT_EQ(piece().arealDensity, 32.5);
+  EXPECT_TRUE(document::sameNumbers(before, document_.study())) << "a run stays as true as it was";
+  density->setValue(0.0);
+  EXPECT_FALSE(piece().arealDensity.has_value());
+  EXPECT_EQ(density->text(), density->specialValueText()) << "not given is no number";
+}
+
 TEST_F(Properties, EveryEditorOfAPiecePushesOneCommand) {
-  select(ItemKind::piece, "front_plate");
+  select(ItemKind::piece, "plate_front");
   expectChoiceEdit("carriage", "skinned");
   auto* parts = editor<QPlainTextEdit>("non_protecting");
   expectOneEdit(

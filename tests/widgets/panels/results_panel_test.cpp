@@ -119,8 +119,8 @@ TEST_F(ResultsPanelTest, SelectingAnOrganSelectsAllItsRows) {
   document_.select(ItemRef{ItemKind::organ, "heart"});
   EXPECT_EQ(selectedRows(), rowsOf("heart"));
   EXPECT_EQ(rowsOf("heart").size(), 12U);  // three systems, two models, two poses
-  document_.select(ItemRef{ItemKind::piece, "back_plate"});
-  EXPECT_EQ(selectedRows(), rowsOf("back_plate"));
+  document_.select(ItemRef{ItemKind::piece, "plate_back"});
+  EXPECT_EQ(selectedRows(), rowsOf("plate_back"));
   document_.select(std::nullopt);
   EXPECT_TRUE(selectedRows().empty());
   EXPECT_FALSE(document_.selection().has_value());
@@ -129,7 +129,7 @@ TEST_F(ResultsPanelTest, SelectingAnOrganSelectsAllItsRows) {
 TEST_F(ResultsPanelTest, FiltersKeepTheSelectionOfTheDocument) {
   testsupport::addSampleRun(document_);
   document_.select(ItemRef{ItemKind::organ, "heart"});
-  filterBy("system", "plates");
+  filterBy("system", "full_torso");
   EXPECT_EQ(document_.selection(), (ItemRef{ItemKind::organ, "heart"}));
   EXPECT_EQ(selectedRows(), rowsOf("heart"));
   EXPECT_EQ(selectedRows().size(), 4U);

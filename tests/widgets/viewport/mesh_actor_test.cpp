@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
+#include <vtkMapper.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 
@@ -38,6 +39,31 @@ TEST(MeshActor, AnotherFrameIsTakenFromWhereItIs) {
   EXPECT_EQ(actor.data()->GetPoints()->GetVoidPointer(0), moved.data());
   EXPECT_GT(actor.data()->GetMTime(), before) << "or nothing would be drawn anew";
   EXPECT_NEAR(actor.data()->GetBounds()[0], 4.0, 1e-5);
+}
+
+TEST(MeshActor, CoarseTrianglesAreDrawnOverTheSameVerticesUntilAllAreWantedAgain) {
+  const geometry::TriangleMesh ball = geometry::ellipsoid(geometry::Vec3d::Zero(), geometry::Vec3d::Ones(), 2);
+  const std::vector<geometry::Vec3f> normals = geometry::vertexNormals(ball.positions, ball.triangles);
+  MeshActor actor(ball.triangles);
+  actor.show(ball.positions, normals);
+  const auto few =
+      std::make_shared<const std::vector<geometry::Triangle>>(ball.triangles.begin(), ball.triangles.begin() + 7);
+  actor.drawCoarsely(few);
+  EXPECT_EQ(actor.actor()->GetMapper()->GetInput(), actor.data());
+  EXPECT_EQ(actor.data()->GetNumberOfCells(), 7);
+  EXPECT_EQ(actor.data()->GetPolys()->GetConnectivityArray()->GetVoidPointer(0), few->data());
+  EXPECT_EQ(actor.data()->GetPoints()->GetVoidPointer(0), ball.positions.data());
+  EXPECT_EQ(actor.data()->GetPointData()->GetNormals()->GetVoidPointer(0), normals.data());
+
+  geometry::Positions moved = ball.positions;
+  moved.front().x() += 5.0F;
+  actor.show(moved, normals);
+  EXPECT_EQ(actor.data()->GetPoints()->GetVoidPointer(0), moved.data()) << "a frame reaches what is drawn";
+
+  actor.drawCoarsely(nullptr);
+  EXPECT_EQ(actor.actor()->GetMapper()->GetInput(), actor.data());
+  EXPECT_EQ(actor.data()->GetNumberOfCells(), static_cast<vtkIdType>(ball.triangles.size()));
+  EXPECT_EQ(actor.data()->GetPoints()->GetVoidPointer(0), moved.data());
 }
 
 }  // namespace

@@ -23,6 +23,13 @@ bool isUtf8(const std::string& text) {
   return !decoder.hasError();
 }
 
+/// \pre UTF-8
+std::string withoutControls(std::string text) {
+  LORICA_CHECK(isUtf8(text), "names are UTF-8");
+  std::replace_if(text.begin(), text.end(), isControl, ' ');
+  return text;
+}
+
 template <class Value>
 bool isWithin(Value value, Value low, Value high) {
   return value >= low && value <= high;
@@ -148,10 +155,8 @@ std::vector<study::Display> minimalDisplays(const study::Study& study, std::vect
 // --- the study and its runs -----------------------------------------------------------------------------------------
 
 void setStudyName(StudyDocument& document, const std::string& name) {
-  LORICA_CHECK(isUtf8(name), "names are UTF-8");
-  std::string clean = name;
-  std::replace_if(clean.begin(), clean.end(), isControl, ' ');
-  change(document, ofStudy("name", Change::general, &study::Study::name), clean, Text::tr("Name of the study"));
+  change(document, ofStudy("name", Change::general, &study::Study::name), withoutControls(name),
+         Text::tr("Name of the study"));
 }
 
 void setStudyDescription(StudyDocument& document, const std::string& text) {
@@ -253,6 +258,17 @@ void setLattice(StudyDocument& document, const std::string& organ, const study::
 void setCarriage(StudyDocument& document, const std::string& piece, study::Carriage carriage) {
   change(document, ofPiece("carriage", piece, &study::ArmorPiece::carriage), carriage,
          Text::tr("Carriage of %1").arg(shown(piece)));
+}
+
+void setMaterial(StudyDocument& document, const std::string& piece, const std::string& material) {
+  change(document, ofPiece("material", piece, &study::ArmorPiece::material), withoutControls(material),
+         Text::tr("Material of %1").arg(shown(piece)));
+}
+
+void setArealDensity(StudyDocument& document, const std::string& piece, std::optional<double> density) {
+  LORICA_CHECK(!density || (*density > 0.0 && *density <= densest), "an areal density is above 0, up to 10000 kg/m2");
+  change(document, ofPiece("areal density", piece, &study::ArmorPiece::arealDensity), density,
+         Text::tr("Areal density of %1").arg(shown(piece)), Merge::yes);
 }
 
 void setNonProtecting(StudyDocument& document, const std::string& piece, const std::vector<std::string>& parts) {

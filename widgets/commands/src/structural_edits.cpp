@@ -5,6 +5,7 @@
 #include "lorica/commands/edits.h"
 #include "lorica/document/appearance.h"
 #include "lorica/geometry/measures.h"
+#include "lorica/study/reserved_names.h"
 #include "lorica/study/study_file.h"
 
 namespace lorica::commands {
@@ -105,7 +106,7 @@ std::string& nameOf(study::Study& study, const ItemRef& item) {
 
 /// Why structures of that name cannot be: rows of the results, other structures.
 QString structureTrouble(const study::Study& study, const std::string& name) {
-  if (name == "body" || name == "miss" || name == "armor" || name == "organs") {
+  if (study::isReservedStructure(name)) {
     return Text::tr("The name \"%1\" is kept for a row of the results.").arg(shown(name));
   }
   if (hasNamed(study.organs, name)) {
@@ -120,8 +121,8 @@ QString structureTrouble(const study::Study& study, const std::string& name) {
 }
 
 QString poseTrouble(const study::Study& study, const study::Pose& pose, const std::string& name) {
-  if (name == "rest") {
-    return Text::tr("The name \"rest\" is kept for the pose the body was made in.");
+  if (name == study::restPose) {
+    return Text::tr("The name \"%1\" is kept for the pose the body was made in.").arg(shown(name));
   }
   if (hasNamed(study.poses, name)) {
     return Text::tr("There is a pose named \"%1\" already.").arg(shown(name));
@@ -172,7 +173,7 @@ std::string addSource(StudyDocument& document) {
 }
 
 void addPose(StudyDocument& document, const study::Pose& pose) {
-  if (pose.name != "rest" && !hasNamed(document.study().poses, pose.name)) {
+  if (pose.name != study::restPose && !hasNamed(document.study().poses, pose.name)) {
     LORICA_CHECK(isName(pose.name) && poseTrouble(document.study(), pose, pose.name).isEmpty() && isWellFormed(pose),
                  "a study can hold the pose");
     study::Study after = document.study();
@@ -194,7 +195,7 @@ bool canRemove(const ItemRef& item) {
     case ItemKind::source:
       return true;
     case ItemKind::pose:
-      return item.name != "rest";
+      return item.name != study::restPose;
     default:
       return false;
   }
@@ -243,8 +244,8 @@ QString renameTrouble(const StudyDocument& document, const ItemRef& item, const 
     case ItemKind::piece:
       return structureTrouble(study, name);
     case ItemKind::system:
-      if (name == "unarmored") {
-        return Text::tr("The name \"unarmored\" is kept for the body without armor.");
+      if (name == study::unarmored) {
+        return Text::tr("The name \"%1\" is kept for the body without armor.").arg(shown(name));
       }
       return hasNamed(study.systems, name) ? Text::tr("There is an armor system named \"%1\" already.").arg(shown(name))
                                            : QString();

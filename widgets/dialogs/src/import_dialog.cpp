@@ -7,21 +7,18 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QRegularExpression>
-#include <QStyle>
-#include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
+#include "import_file_table.h"
+#include "import_parts.h"
+#include "import_preview.h"
 #include "lorica/base/error.h"
 
 namespace lorica::dialogs {
@@ -29,25 +26,6 @@ namespace lorica::dialogs {
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path pathOf(const QString& text) {
-  return fs::path(text.toStdU16String());
-}
-
-QString textOf(const fs::path& path) {
-  return QString::fromStdU16String(path.generic_u16string());
-}
-
-/// The same sentence without hints at options of the command line and at the study's text: here there are choices.
-QString windowText(const std::string& issue) {
-  QString text = QString::fromStdString(issue);
-  static const QRegularExpression decides(
-      QStringLiteral("; --(units|up) decides| \\(--(units|up) decides\\)|"
-                     "; \"[a-z_]+\" in the study decides"));
-  text.remove(decides);
-  text.replace(QStringLiteral("give --units"), ImportDialog::tr("choose the unit of lengths"));
-  return text;
-}
 
 std::vector<fs::path> droppedFiles(const QMimeData& data) {
   std::vector<fs::path> files;
@@ -75,16 +53,6 @@ QString piecesText(std::size_t count) {
   return count == 1 ? ImportDialog::tr("1 armor piece") : ImportDialog::tr("%1 armor pieces").arg(count);
 }
 
-void makeCalm(QTableWidget* table) {
-  table->verticalHeader()->hide();
-  table->setShowGrid(false);
-  table->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table->horizontalHeader()->setHighlightSections(false);
-  table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  table->setTextElideMode(Qt::ElideMiddle);
-}
-
 }  // namespace
 
 ImportDialog::ImportDialog(const document::StudyDocument& document, QWidget* parent)
@@ -107,7 +75,7 @@ ImportDialog::ImportDialog(const document::StudyDocument& document, QWidget* par
   delay_.setInterval(300);
   connect(&delay_, &QTimer::timeout, this, &ImportDialog::read);
   resize(fontMetrics().averageCharWidth() * 110, fontMetrics().height() * 36);
-  rebuildTable();
+  guess();
   showState();
 }
 
@@ -129,7 +97,6 @@ QWidget* ImportDialog::makeModeRow() {
   row->addStretch(1);
   connect(newStudy_, &QRadioButton::toggled, this, [this] {
     guess();
-    rebuildTable();
     changed();
   });
   return group;
@@ -139,17 +106,10 @@ QWidget* ImportDialog::makeFileTable() {
   auto* group = new QWidget(this);
   auto* row = new QHBoxLayout(group);
   row->setContentsMargins(0, 0, 0, 0);
-  table_ = new QTableWidget(0, 3, group);
-  table_->setObjectName(QStringLiteral("files"));
-  table_->setAccessibleName(tr("Files"));
-  table_->setHorizontalHeaderLabels({tr("File"), tr("Holds"), tr("Armor system")});
-  makeCalm(table_);
-  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  for (const int section : {1, 2}) {
-    table_->horizontalHeader()->setSectionResizeMode(section, QHeaderView::Fixed);
-    table_->setColumnWidth(section, fontMetrics().averageCharWidth() * 22);
-  }
-  row->addWidget(table_, 1);
+  files_ = new ImportFileTable(group);
+  files_->setObjectName(QStringLiteral("files"));
+  connect(files_, &ImportFileTable::edited, this, &ImportDialog::changed);
+  row->addWidget(files_, 1);
   auto* side = new QVBoxLayout;
   row->addLayout(side);
   auto* add = new QPushButton(tr("Add files..."), group);
@@ -162,8 +122,8 @@ QWidget* ImportDialog::makeFileTable() {
   side->addStretch(1);
   connect(add, &QPushButton::clicked, this, &ImportDialog::chooseFiles);
   connect(remove_, &QPushButton::clicked, this, &ImportDialog::removeChosen);
-  connect(table_, &QTableWidget::itemSelectionChanged, this,
-          [this] { remove_->setEnabled(!table_->selectionModel()->selectedRows().isEmpty()); });
+  connect(files_, &QTableWidget::itemSelectionChanged, this,
+          [this] { remove_->setEnabled(!files_->selectionModel()->selectedRows().isEmpty()); });
   return group;
 }
 
@@ -208,20 +168,8 @@ QWidget* ImportDialog::makePreview() {
   auto* group = new QWidget(this);
   auto* column = new QVBoxLayout(group);
   column->setContentsMargins(0, 0, 0, 0);
-  preview_ = new QTableWidget(0, 3, group);
+  preview_ = new ImportPreview(group);
   preview_->setObjectName(QStringLiteral("preview"));
-  preview_->setAccessibleName(tr("What was understood"));
-  preview_->setHorizontalHeaderLabels({QString(), tr("File or structure"), tr("What was understood")});
-  makeCalm(preview_);
-  preview_->setWordWrap(true);
-  preview_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-  preview_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Interactive);
-  preview_->setColumnWidth(1, fontMetrics().averageCharWidth() * 26);
-  preview_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
-  connect(preview_->horizontalHeader(), &QHeaderView::sectionResized, preview_, &QTableWidget::resizeRowsToContents,
-          Qt::QueuedConnection);
-  const int side = fontMetrics().height();
-  preview_->setIconSize({side, side});
   column->addWidget(preview_, 1);
   auto* row = new QHBoxLayout;
   column->addLayout(row);
@@ -258,14 +206,11 @@ QWidget* ImportDialog::makePreview() {
 }
 
 void ImportDialog::addFiles(const std::vector<fs::path>& files) {
-  const bool first = entries_.empty();
+  const bool first = files_->entries().empty();
   QStringList refused;
   for (const fs::path& file : files) {
-    const bool known = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.file == file; });
     if (isMeshFile(file)) {
-      if (!known) {
-        entries_.push_back({file});
-      }
+      files_->add(file);
     } else if (isStudyFile(file)) {
       refused.append(tr("%1 is a study; open it instead.").arg(textOf(file.filename())));
     } else {
@@ -274,7 +219,7 @@ void ImportDialog::addFiles(const std::vector<fs::path>& files) {
     }
   }
   refused_ = refused.join(u'\n');
-  if (first && !entries_.empty() && document_.hasStudy()) {
+  if (first && !files_->entries().empty() && document_.hasStudy()) {
     // Files without a body among them are meant for the study that is open.
     const std::vector<FileRole> guessed = guessRoles(files, false);
     if (std::find(guessed.begin(), guessed.end(), FileRole::ignore) == guessed.end()) {
@@ -282,77 +227,24 @@ void ImportDialog::addFiles(const std::vector<fs::path>& files) {
     }
   }
   guess();
-  rebuildTable();
   changed();
 }
 
 std::vector<FileRole> ImportDialog::roles() const {
   std::vector<FileRole> all;
-  std::transform(entries_.begin(), entries_.end(), std::back_inserter(all), [](const Entry& e) { return e.role; });
+  const auto& entries = files_->entries();
+  std::transform(entries.begin(), entries.end(), std::back_inserter(all), [](const auto& entry) { return entry.role; });
   return all;
 }
 
 void ImportDialog::setRole(std::size_t file, FileRole role) {
-  entries_.at(file).role = role;
-  entries_.at(file).chosen = true;
-  rebuildTable();
+  files_->setRole(file, role);
+  remove_->setEnabled(false);
   changed();
 }
 
 void ImportDialog::guess() {
-  std::vector<fs::path> files;
-  std::transform(entries_.begin(), entries_.end(), std::back_inserter(files), [](const Entry& e) { return e.file; });
-  const std::vector<FileRole> guessed = guessRoles(files, !addsToOpenStudy());
-  const bool skinChosen = std::any_of(entries_.begin(), entries_.end(),
-                                      [](const Entry& e) { return e.chosen && e.role == FileRole::skin; });
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (!entries_[i].chosen) {
-      entries_[i].role = skinChosen && guessed[i] == FileRole::skin ? FileRole::organ : guessed[i];
-    }
-  }
-}
-
-void ImportDialog::rebuildTable() {
-  table_->setRowCount(0);
-  table_->setRowCount(static_cast<int>(entries_.size()));
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const int row = static_cast<int>(i);
-    auto* name = new QTableWidgetItem(textOf(entries_[i].file.filename()));
-    name->setToolTip(textOf(entries_[i].file));
-    table_->setItem(row, 0, name);
-    auto* role = new QComboBox(table_);
-    role->setFrame(false);
-    role->setAccessibleName(tr("What %1 holds").arg(name->text()));
-    if (!addsToOpenStudy()) {
-      role->addItem(tr("Body skin"), static_cast<int>(FileRole::skin));
-    }
-    role->addItem(tr("Organ"), static_cast<int>(FileRole::organ));
-    role->addItem(tr("Armor piece"), static_cast<int>(FileRole::armor));
-    role->addItem(tr("Ignore"), static_cast<int>(FileRole::ignore));
-    role->setCurrentIndex(role->findData(static_cast<int>(entries_[i].role)));
-    auto* system = new QLineEdit(QString::fromStdString(entries_[i].system), table_);
-    system->setFrame(false);
-    system->setAccessibleName(tr("Armor system of %1").arg(name->text()));
-    system->setVisible(entries_[i].role == FileRole::armor);
-    connect(role, &QComboBox::activated, this, [this, i, role, system] {
-      entries_[i].role = static_cast<FileRole>(role->currentData().toInt());
-      entries_[i].chosen = true;
-      system->setVisible(entries_[i].role == FileRole::armor);
-      changed();
-    });
-    connect(system, &QLineEdit::textEdited, this, [this, i](const QString& text) {
-      entries_[i].system = text.trimmed().toStdString();
-      changed();
-    });
-    table_->setCellWidget(row, 1, role);
-    // The table shows a widget it is given; one around it keeps the editor's own say.
-    auto* cell = new QWidget(table_);
-    auto* layout = new QHBoxLayout(cell);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(system);
-    table_->setCellWidget(row, 2, cell);
-  }
-  table_->resizeRowsToContents();
+  files_->guess(!addsToOpenStudy());
   remove_->setEnabled(false);
 }
 
@@ -378,18 +270,19 @@ bool ImportDialog::addsToOpenStudy() const {
 }
 
 QString ImportDialog::trouble() const {
-  const auto with = [this](FileRole role) {
-    return std::count_if(entries_.begin(), entries_.end(), [role](const Entry& entry) { return entry.role == role; });
+  const auto& entries = files_->entries();
+  const auto with = [&entries](FileRole role) {
+    return std::count_if(entries.begin(), entries.end(), [role](const auto& entry) { return entry.role == role; });
   };
-  if (std::any_of(entries_.begin(), entries_.end(),
-                  [](const Entry& entry) { return entry.role == FileRole::armor && entry.system.empty(); })) {
+  if (std::any_of(entries.begin(), entries.end(),
+                  [](const auto& entry) { return entry.role == FileRole::armor && entry.system.empty(); })) {
     return tr("Give every armor piece a system.");
   }
   if (addsToOpenStudy()) {
     const bool any = with(FileRole::organ) > 0 || with(FileRole::armor) > 0 || plates_->isChecked();
     return any ? QString() : tr("Add files of organs or armor, or drop them here.");
   }
-  if (entries_.empty()) {
+  if (entries.empty()) {
     return tr("Add the files of a body, its organs and armor, or drop them here.");
   }
   if (with(FileRole::skin) != 1) {
@@ -401,7 +294,7 @@ QString ImportDialog::trouble() const {
 
 analysis::ImportRequest ImportDialog::request() const {
   analysis::ImportRequest wanted;
-  for (const Entry& entry : entries_) {
+  for (const ImportFileTable::Entry& entry : files_->entries()) {
     switch (entry.role) {
       case FileRole::skin:
         wanted.skin = entry.file;
@@ -470,10 +363,10 @@ void ImportDialog::read() {
       return;  // what was read is not asked for any more
     }
     if (outcome->imported) {
-      showIssues(outcome->imported->issues);
+      preview_->showIssues(outcome->imported->issues);
       imported_ = std::move(outcome->imported);
     } else {
-      showIssues(outcome->trouble);
+      preview_->showIssues(outcome->trouble);
       failure_ = tr("The files cannot be read as chosen.");
     }
   });
@@ -494,39 +387,6 @@ void ImportDialog::readEnded() {
     read();
   }
   showState();
-}
-
-void ImportDialog::showIssues(const base::Issues& issues) {
-  preview_->setRowCount(0);
-  preview_->setRowCount(static_cast<int>(issues.size()));
-  // What is wrong comes first.
-  base::Issues sorted = issues;
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const base::Issue& a, const base::Issue& b) { return a.severity > b.severity; });
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const base::Issue& issue = sorted[i];
-    const int row = static_cast<int>(i);
-    const QStyle::StandardPixmap icon = issue.severity == base::Severity::error     ? QStyle::SP_MessageBoxCritical
-                                        : issue.severity == base::Severity::warning ? QStyle::SP_MessageBoxWarning
-                                                                                    : QStyle::SP_MessageBoxInformation;
-    const QString severity = issue.severity == base::Severity::error     ? tr("Error")
-                             : issue.severity == base::Severity::warning ? tr("Warning")
-                                                                         : tr("Note");
-    preview_->setItem(row, 0, new QTableWidgetItem(style()->standardIcon(icon), severity));
-    const QString file = textOf(fs::path(issue.file).filename());
-    const QString place = QString::fromStdString(issue.place);
-    auto* where =
-        new QTableWidgetItem(file.isEmpty() || place.isEmpty() ? file + place : file + QStringLiteral(": ") + place);
-    where->setToolTip(QString::fromStdString(issue.file));
-    preview_->setItem(row, 1, where);
-    auto* what = new QTableWidgetItem(windowText(issue.text));
-    what->setToolTip(what->text());
-    preview_->setItem(row, 2, what);
-    for (int section = 0; section < 3; ++section) {
-      preview_->item(row, section)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    }
-  }
-  preview_->resizeRowsToContents();
 }
 
 void ImportDialog::showState() {
@@ -554,8 +414,9 @@ void ImportDialog::showState() {
 }
 
 void ImportDialog::chooseFiles() {
+  const auto& entries = files_->entries();
   const QStringList names =
-      QFileDialog::getOpenFileNames(this, tr("Add files"), entries_.empty() ? QString() : textOf(entries_.back().file),
+      QFileDialog::getOpenFileNames(this, tr("Add files"), entries.empty() ? QString() : textOf(entries.back().file),
                                     tr("Meshes (*.glb *.gltf *.obj *.stl *.ply *.off);;All files (*)"));
   std::vector<fs::path> files;
   std::transform(names.begin(), names.end(), std::back_inserter(files), pathOf);
@@ -565,17 +426,9 @@ void ImportDialog::chooseFiles() {
 }
 
 void ImportDialog::removeChosen() {
-  std::vector<int> rows;
-  for (const QModelIndex& index : table_->selectionModel()->selectedRows()) {
-    rows.push_back(index.row());
-  }
-  std::sort(rows.rbegin(), rows.rend());
-  for (const int row : rows) {
-    entries_.erase(entries_.begin() + row);
-  }
+  files_->removeSelected();
   refused_.clear();
   guess();
-  rebuildTable();
   changed();
 }
 

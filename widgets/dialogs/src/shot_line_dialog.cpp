@@ -169,6 +169,7 @@ QWidget* ShotLineDialog::makeRunSide() {
   poses_->setObjectName(QStringLiteral("poses"));
   poses_->setAccessibleName(tr("Poses"));
   poses_->setTextElideMode(Qt::ElideMiddle);
+  poses_->setSpacing(1);
   poses_->setMinimumHeight(poses_->fontMetrics().height() * 6);
   label->setBuddy(poses_);
   connect(poses_, &QListWidget::itemChanged, this, [this] {

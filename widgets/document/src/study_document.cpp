@@ -45,6 +45,13 @@ bool sameNumbers(const study::Study& a, const study::Study& b) {
     study.name.clear();
     study.description.clear();
     study.displays.clear();
+    for (study::ArmorSystem& system : study.systems) {
+      for (study::ArmorPiece& piece : system.pieces) {
+        // Kept for the record.
+        piece.material.clear();
+        piece.arealDensity.reset();
+      }
+    }
     return study;
   };
   return bare(a) == bare(b);

@@ -103,6 +103,7 @@ QIcon colourSwatch(const QColor& colour) {
       QPixmapCache::insert(key, pixmap);
     }
     icon.addPixmap(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected);  // a colour stays itself in a selected row
   }
   return icon;
 }

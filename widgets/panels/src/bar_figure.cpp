@@ -19,6 +19,7 @@ namespace {
 
 constexpr double groupWidth = 0.72;  ///< of a category's share of the axis
 constexpr int longestLabel = 22;     ///< average letters
+constexpr int linesOfASmallFigure = 18;
 
 /// Labels of the axis: readable, at most so wide, all different.
 QStringList labelsOf(const std::vector<std::string>& names, const QFontMetricsF& metrics, double width) {
@@ -136,17 +137,29 @@ BarFigure::~BarFigure() = default;
 
 void BarFigure::setData(FigureData data) {
   data_ = std::move(data);
-  setTitle(data_.title.toHtmlEscaped());
   makeBars();
   scaleValues();
-  values_->setTitleText(data_.valueTitle);
+  placeTitles();
+  intervals_->follow();
+}
+
+bool BarFigure::isSmall() const {
+  return size().height() < linesOfASmallFigure * QFontMetricsF(values_->labelsFont()).height();
+}
+
+/// Where there is little height, titles leave it to the bars: then what is around the figure says what it shows, and
+/// the values carry their unit.
+void BarFigure::placeTitles() {
+  const bool small = isSmall();
+  setTitle(small ? QString() : data_.title.toHtmlEscaped());
+  values_->setTitleText(small ? QString() : data_.valueTitle);
+  values_->setLabelFormat(small ? QStringLiteral("%g %%") : QStringLiteral("%g"));
   const bool anyBlank = std::any_of(data_.series.begin(), data_.series.end(), [](const FigureSeries& series) {
     return std::any_of(series.bars.begin(), series.bars.end(), [](const FigureBar& bar) { return !bar.interval; });
   });
   // The names below the bars speak for themselves; only the mark of a blank needs a word.
-  categories_->setTitleText(anyBlank ? data_.categoryTitle + " (" + QChar(0xD7) + " " + data_.blankNote + ")"
-                                     : QString());
-  intervals_->follow();
+  const QString mark = QString(QChar(0xD7)) + " " + data_.blankNote;
+  categories_->setTitleText(!anyBlank ? QString() : small ? mark : data_.categoryTitle + " (" + mark + ")");
 }
 
 void BarFigure::makeBars() {
@@ -181,7 +194,12 @@ void BarFigure::scaleValues() {
 
 /// Labels lie where there is room for it, else they stand and leave most of the height to the bars.
 void BarFigure::placeLabels() {
-  const QFontMetricsF metrics(categories_->labelsFont());
+  QFont font = values_->labelsFont();
+  if (isSmall()) {
+    font.setPointSizeF(0.85 * font.pointSizeF());
+  }
+  categories_->setLabelsFont(font);
+  const QFontMetricsF metrics(font);
   const double longest = longestLabel * metrics.averageCharWidth();
   QStringList labels = labelsOf(data_.categories, metrics, longest);
   double widest = 0.0;
@@ -191,7 +209,7 @@ void BarFigure::placeLabels() {
   const double room = 0.85 * size().width() / static_cast<double>(std::max<qsizetype>(1, labels.size()));
   const bool lying = widest + metrics.averageCharWidth() < room;
   if (!lying) {
-    labels = labelsOf(data_.categories, metrics, std::min(longest, 0.27 * size().height()));
+    labels = labelsOf(data_.categories, metrics, std::min(longest, (isSmall() ? 0.33 : 0.27) * size().height()));
   }
   categories_->setLabelsAngle(lying ? 0 : -90);
   if (labels != categories_->categories()) {
@@ -201,6 +219,7 @@ void BarFigure::placeLabels() {
 
 void BarFigure::resizeEvent(QGraphicsSceneResizeEvent* event) {
   QChart::resizeEvent(event);
+  placeTitles();
   placeLabels();
   intervals_->follow();
 }

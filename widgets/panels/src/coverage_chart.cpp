@@ -5,9 +5,10 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QEvent>
+#include <QMenu>
 #include <QPainter>
-#include <QPushButton>
 #include <QStackedWidget>
+#include <QToolButton>
 #include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -109,14 +110,15 @@ QWidget* CoverageChart::makeControls() {
     flow->addWidget(combo);
     connect(combo, &QComboBox::currentIndexChanged, this, &CoverageChart::update);
   }
-  auto* copy = new QPushButton(tr("Copy as CSV"), this);
-  copy->setToolTip(tr("Copy the numbers of the bars"));
-  auto* picture = new QPushButton(tr("Copy image"), this);
-  picture->setToolTip(tr("Copy the chart as a picture, dark on white"));
+  auto* copy = new QToolButton(this);
+  copy->setText(tr("Copy"));
+  copy->setToolTip(tr("Copy the chart"));
+  copy->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(copy);
+  menu->addAction(tr("As a picture, dark on white"), this, &CoverageChart::copyImage);
+  menu->addAction(tr("Numbers of the bars as CSV"), this, &CoverageChart::copyCsv);
+  copy->setMenu(menu);
   flow->addWidget(copy);
-  flow->addWidget(picture);
-  connect(copy, &QPushButton::clicked, this, &CoverageChart::copyCsv);
-  connect(picture, &QPushButton::clicked, this, &CoverageChart::copyImage);
   return row;
 }
 
@@ -157,6 +159,7 @@ void CoverageChart::setRun(std::shared_ptr<const document::RunRecord> run) {
     sources.push_back(source.source.name);
   }
   refill(*source_, listOf(sources));
+  source_->setVisible(sources.size() > 1);
   refill(*pose_, listOf(run_->result.poses));
   refill(*system_, listOf(run_->result.systems));
   if (first && run_->result.systems.size() > 1) {
@@ -275,7 +278,8 @@ void CoverageChart::copyCsv() const {
 }
 
 void CoverageChart::copyImage() const {
-  QApplication::clipboard()->setImage(toImage(view_->size(), 2.0));
+  // Large enough for its titles: a picture has to say by itself what it shows.
+  QApplication::clipboard()->setImage(toImage(view_->size().expandedTo({900, 500}), 2.0));
 }
 
 }  // namespace lorica::panels

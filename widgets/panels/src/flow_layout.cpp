@@ -57,15 +57,21 @@ void FlowLayout::setGeometry(const QRect& rect) {
 }
 
 int FlowLayout::arrange(const QRect& rect, Place place) const {
+  std::vector<QLayoutItem*> shown;
+  for (const auto& item : items_) {
+    if (!item->isEmpty()) {
+      shown.push_back(item.get());
+    }
+  }
   int top = rect.top();
   std::size_t first = 0;
-  while (first < items_.size()) {
+  while (first < shown.size()) {
     // A row: what fits, at least one.
     int width = 0;
     int height = 0;
     std::size_t end = first;
-    for (; end < items_.size(); ++end) {
-      const QSize size = items_[end]->isEmpty() ? QSize() : items_[end]->sizeHint();
+    for (; end < shown.size(); ++end) {
+      const QSize size = shown[end]->sizeHint();
       const int wider = width + (end > first ? spacing() : 0) + size.width();
       if (end > first && wider > rect.width()) {
         break;
@@ -76,8 +82,8 @@ int FlowLayout::arrange(const QRect& rect, Place place) const {
     if (place == Place::move) {
       int left = rect.left();
       for (std::size_t i = first; i < end; ++i) {
-        const QSize size = items_[i]->sizeHint();
-        items_[i]->setGeometry(
+        const QSize size = shown[i]->sizeHint();
+        shown[i]->setGeometry(
             QRect(left, top + (height - size.height()) / 2, std::min(size.width(), rect.width()), size.height()));
         left += size.width() + spacing();
       }

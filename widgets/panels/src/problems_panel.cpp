@@ -25,7 +25,8 @@ ProblemsPanel::ProblemsPanel(document::StudyDocument& document, QWidget* parent)
                                                    QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  table_->setColumnWidth(models::ProblemsModel::whereColumn, fontMetrics().averageCharWidth() * 26);
+  table_->setColumnWidth(models::ProblemsModel::whereColumn, fontMetrics().averageCharWidth() * 36);
+  table_->setTextElideMode(Qt::ElideMiddle);  // the end of a path tells more than its start
   pages_->addWidget(makeEmptyPage(tr("No problems found."), this));
   pages_->addWidget(table_);
 

@@ -93,7 +93,7 @@ ProjectPanel::ProjectPanel(document::StudyDocument& document, QWidget* parent)
   column->addWidget(opacityRow_);
   pages_ = new QStackedWidget(this);
   pages_->addWidget(
-      panels::makeEmptyPage(tr("No study is open.\nOpen a study, import your files, or start from a template."), this));
+      panels::makeEmptyPage(tr("No study is open.\nOpen a study, import your files, or start with the sample."), this));
   pages_->addWidget(content);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);

@@ -14,6 +14,7 @@
 #include <QStackedWidget>
 #include <QStyle>
 #include <QTableView>
+#include <QTimer>
 #include <algorithm>
 
 #include "flow_layout.h"
@@ -66,26 +67,25 @@ QWidget* ResultsPanel::makeHeader() {
   bar->setSpacing(panelMargin);
   runs_ = makeChoice(tr("The run that is shown"), this);
   runs_->setObjectName(QStringLiteral("run"));
+  summary_ = new QLabel(this);
+  summary_->setWordWrap(true);
+  summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* copy = new QPushButton(tr("Copy as CSV"), this);
   copy->setToolTip(tr("Copy all rows that are shown, in the form of summary.csv"));
   auto* save = new QPushButton(tr("Save tables..."), this);
   save->setToolTip(tr("Write summary.csv, trials.csv and provenance.json of this run"));
   bar->addWidget(runs_);
-  bar->addStretch(1);
+  bar->addWidget(summary_, 1);
   bar->addWidget(copy);
   bar->addWidget(save);
   column->addLayout(bar);
 
-  summary_ = new QLabel(this);
-  summary_->setWordWrap(true);
-  summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   caution_ = new QLabel(this);
   caution_->setWordWrap(true);
   caution_->setTextFormat(Qt::PlainText);
   QFont bold = font();
   bold.setBold(true);
   caution_->setFont(bold);
-  column->addWidget(summary_);
   column->addWidget(caution_);
 
   connect(runs_, &QComboBox::currentIndexChanged, this, [this](int index) {
@@ -117,6 +117,7 @@ QWidget* ResultsPanel::makeFilters() {
   text_ = new QLineEdit(this);
   text_->setPlaceholderText(tr("Find structure"));
   text_->setClearButtonEnabled(true);
+  text_->setMaximumWidth(text_->fontMetrics().averageCharWidth() * 20);
   text_->setToolTip(tr("Show structures whose name or class holds this text"));
   flow->addWidget(text_);
   count_ = new QLabel(this);
@@ -132,7 +133,19 @@ QWidget* ResultsPanel::makeTable() {
   table_->setObjectName(QStringLiteral("results"));
   table_->setModel(filter_);
   table_->setSortingEnabled(true);
-  table_->horizontalHeader()->setSortIndicatorClearable(true);
+  QHeaderView* header = table_->horizontalHeader();
+  header->setSortIndicatorClearable(true);
+  header->setSectionsMovable(true);
+  // What one looks for comes first: which structure, in which circumstances, how well covered. Counts and what seldom
+  // differs follow.
+  using Model = ResultsModel;
+  static constexpr std::array first{Model::systemColumn,      Model::modelColumn,     Model::poseColumn,
+                                    Model::structureColumn,   Model::coverageColumn,  Model::lowColumn,
+                                    Model::highColumn,        Model::anyColumn,       Model::protectedColumn,
+                                    Model::unprotectedColumn, Model::ofBodyHitsColumn};
+  for (std::size_t place = 0; place < first.size(); ++place) {
+    header->moveSection(header->visualIndex(first.at(place)), static_cast<int>(place));
+  }
   table_->sortByColumn(-1, Qt::AscendingOrder);
   auto* copy = new QAction(tr("Copy selected rows as CSV"), table_);
   copy->setShortcut(QKeySequence::Copy);
@@ -201,7 +214,11 @@ void ResultsPanel::refillFilters() {
   const std::array<QString, 5> all{tr("All sources"), tr("All systems"), tr("All models"), tr("All poses"),
                                    tr("All kinds")};
   for (std::size_t i = 0; i < combos_.size(); ++i) {
-    refill(*combos_[i].combo, model_->distinct(combos_[i].column), all[i]);
+    const QStringList texts = model_->distinct(combos_[i].column);
+    refill(*combos_[i].combo, texts, all[i]);
+    // The same in every row: nothing to choose, nothing to read.
+    combos_[i].combo->setVisible(texts.size() > 1);
+    table_->setColumnHidden(combos_[i].column, texts.size() < 2);
     filter_->setWanted(combos_[i].column, combos_[i].combo->currentData().toString());
   }
 }
@@ -300,6 +317,12 @@ void ResultsPanel::takeSelection() {
   if (first.isValid()) {
     table_->scrollTo(first);
   }
+}
+
+void ResultsPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  // Only what is laid out can scroll to the selection.
+  QTimer::singleShot(0, this, &ResultsPanel::takeSelection);
 }
 
 void ResultsPanel::giveSelection() {

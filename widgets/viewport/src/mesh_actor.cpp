@@ -4,7 +4,6 @@
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkTypeInt32Array.h>
 
@@ -24,7 +23,13 @@ vtkNew<vtkFloatArray> viewOf(std::span<const geometry::Vec3f> triples) {
 
 }  // namespace
 
-MeshActor::MeshActor(std::span<const geometry::Triangle> triangles) {
+MeshActor::Level::Level() {
+  data->SetPoints(vtkNew<vtkPoints>());
+  mapper->SetInputData(data);
+  mapper->ScalarVisibilityOff();
+}
+
+void MeshActor::Level::setTriangles(std::span<const geometry::Triangle> triangles) {
   static_assert(sizeof(geometry::Triangle) == 3 * sizeof(vtkTypeInt32), "indices are shared with VTK");
   vtkNew<vtkTypeInt32Array> corners;
   auto* first = const_cast<std::uint32_t*>(triangles.data()->data());
@@ -36,12 +41,14 @@ MeshActor::MeshActor(std::span<const geometry::Triangle> triangles) {
   }
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, corners);
-  data_->SetPoints(vtkNew<vtkPoints>());
-  data_->SetPolys(cells);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data_);
-  mapper->ScalarVisibilityOff();
-  actor_->SetMapper(mapper);
+  data->SetPolys(cells);
+}
+
+MeshActor::MeshActor(std::span<const geometry::Triangle> triangles) : triangles_(triangles) {
+  full_.setTriangles(triangles);
+  // One set of vertices for both.
+  coarse_.data->SetPoints(full_.data->GetPoints());
+  actor_->SetMapper(full_.mapper);
   vtkProperty* property = actor_->GetProperty();
   property->SetInterpolationToGouraud();
   property->SetAmbient(0.15);
@@ -51,12 +58,23 @@ MeshActor::MeshActor(std::span<const geometry::Triangle> triangles) {
 }
 
 void MeshActor::show(std::span<const geometry::Vec3f> positions, std::span<const geometry::Vec3f> normals) {
-  data_->GetPoints()->SetData(viewOf(positions));
-  data_->GetPoints()->Modified();
+  full_.data->GetPoints()->SetData(viewOf(positions));
+  full_.data->GetPoints()->Modified();
   const auto normalArray = viewOf(normals);
   normalArray->SetName("Normals");
-  data_->GetPointData()->SetNormals(normalArray);
-  data_->Modified();
+  for (Level* level : {&full_, &coarse_}) {
+    level->data->GetPointData()->SetNormals(normalArray);
+    level->data->Modified();
+  }
+}
+
+void MeshActor::drawCoarsely(const Triangles& coarse) {
+  if (coarse != nullptr && coarse != coarseTriangles_) {
+    coarse_.setTriangles(*coarse);
+    coarseTriangles_ = coarse;
+  }
+  isCoarse_ = coarse != nullptr;
+  actor_->SetMapper(isCoarse_ ? coarse_.mapper : full_.mapper);
 }
 
 }  // namespace lorica::viewport

@@ -3,7 +3,9 @@
 #include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,11 +23,28 @@ class MeshActor {
 
   /// \pre as many normals as positions
   void show(std::span<const geometry::Vec3f> positions, std::span<const geometry::Vec3f> normals);
+  /// Draws these triangles over the same vertices instead of all; null: all. To and fro costs next to nothing.
+  using Triangles = std::shared_ptr<const std::vector<geometry::Triangle>>;
+  void drawCoarsely(const Triangles& coarse);
+  std::span<const geometry::Triangle> triangles() const { return triangles_; }
   vtkActor* actor() { return actor_; }
-  vtkPolyData* data() { return data_; }
+  /// What is drawn now.
+  vtkPolyData* data() { return isCoarse_ ? coarse_.data : full_.data; }
 
  private:
-  vtkNew<vtkPolyData> data_;
+  /// A list of triangles with its own buffer of them on the graphics card.
+  struct Level {
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPolyDataMapper> mapper;
+    Level();
+    void setTriangles(std::span<const geometry::Triangle> triangles);
+  };
+
+  std::span<const geometry::Triangle> triangles_;
+  Level full_;
+  Level coarse_;
+  Triangles coarseTriangles_;  ///< keeps alive what VTK reads
+  bool isCoarse_ = false;
   vtkNew<vtkActor> actor_;
 };
 

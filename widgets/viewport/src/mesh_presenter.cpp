@@ -2,6 +2,7 @@
 
 #include <vtkProperty.h>
 
+#include "coarse_meshes.h"
 #include "lorica/document/appearance.h"
 
 namespace lorica::viewport {
@@ -51,6 +52,12 @@ void MeshPresenter::restyle(const document::StudyDocument& document) {
     property->SetAmbient(selected ? 0.55 : 0.15);
     property->SetAmbientColor(selected ? 1.0 : look.colour.redF(), selected ? 0.85 : look.colour.greenF(),
                               selected ? 0.2 : look.colour.blueF());
+  }
+}
+
+void MeshPresenter::drawCoarsely(const CoarseMeshes* meshes) {
+  for (const auto& actor : actors_) {
+    actor->drawCoarsely(meshes == nullptr ? nullptr : meshes->of(actor->triangles()));
   }
 }
 

@@ -18,6 +18,7 @@ class MeshPresenter : public Presenter {
   ~MeshPresenter() override;
   void showFrame(const std::shared_ptr<const jobs::Frame>& frame) final;
   void restyle(const document::StudyDocument& document) final;
+  void drawCoarsely(const CoarseMeshes* meshes) final;
 
  protected:
   struct Mesh {

@@ -8,12 +8,21 @@
 
 namespace lorica::viewport {
 
+namespace {
+
+// Depth layers of what is translucent: more are right, fewer are fast.
+constexpr int fullPeels = 4;
+constexpr int coarsePeels = 1;
+
+}  // namespace
+
 Pane::Pane(std::size_t model, vtkCamera* camera) {
   renderer_->SetActiveCamera(camera);
   renderer_->GradientBackgroundOn();
   renderer_->SetBackground(0.86, 0.88, 0.90);
   renderer_->SetBackground2(0.97, 0.975, 0.98);
   renderer_->SetUseDepthPeeling(1);
+  renderer_->SetMaximumNumberOfPeels(fullPeels);
   renderer_->SetOcclusionRatio(0.0);
   renderer_->UseFXAAOn();
   renderer_->AutomaticLightCreationOff();
@@ -49,6 +58,15 @@ void Pane::showFrame(const std::shared_ptr<const jobs::Frame>& frame, const QStr
 void Pane::restyle(const document::StudyDocument& document) {
   for (const auto& presenter : presenters_) {
     presenter->restyle(document);
+  }
+}
+
+void Pane::drawCoarsely(const CoarseMeshes* meshes) {
+  const bool full = meshes == nullptr;
+  renderer_->SetMaximumNumberOfPeels(full ? fullPeels : coarsePeels);
+  renderer_->SetUseFXAA(full);
+  for (const auto& presenter : presenters_) {
+    presenter->drawCoarsely(meshes);
   }
 }
 

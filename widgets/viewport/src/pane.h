@@ -25,8 +25,8 @@ class Pane {
   /// \param title of the pane; empty: none
   void showFrame(const std::shared_ptr<const jobs::Frame>& frame, const QString& title);
   void restyle(const document::StudyDocument& document);
-  /// Depth layers of what is translucent: more are right, fewer are fast.
-  void setPeels(int peels) { renderer_->SetMaximumNumberOfPeels(peels); }
+  /// Draws less of everything, fewer depth layers of what is translucent, edges unsmoothed; null: all there is.
+  void drawCoarsely(const CoarseMeshes* meshes);
 
  private:
   vtkNew<vtkRenderer> renderer_;

@@ -9,6 +9,8 @@
 
 namespace lorica::viewport {
 
+class CoarseMeshes;
+
 /// Shows one kind of data in one pane. Owns its actors; the frame it shows last stays alive until the next one.
 class Presenter {
  public:
@@ -21,6 +23,8 @@ class Presenter {
   virtual void showFrame(const std::shared_ptr<const jobs::Frame>& frame) = 0;
   /// Colours, visibility, selection changed.
   virtual void restyle(const document::StudyDocument& document) = 0;
+  /// Draws less, as far as there are coarse meshes; null: all there is.
+  virtual void drawCoarsely(const CoarseMeshes* /*meshes*/) {}
 
  protected:
   vtkRenderer* renderer() const { return renderer_; }

@@ -1,6 +1,5 @@
 #include "lorica/viewport/scene_view.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <vtkAxesActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
@@ -15,12 +14,15 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QSurfaceFormat>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <chrono>
 #include <cmath>
 #include <numbers>
 
 #include "camera_style.h"
+#include "canvas.h"
+#include "coarse_meshes.h"
 #include "lorica/document/appearance.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/raycast/caster.h"
@@ -31,6 +33,9 @@ namespace lorica::viewport {
 namespace {
 
 using geometry::Vec3d;
+
+constexpr int restMs = 200;    ///< without motion until what is shown is drawn in full
+constexpr int frameMs = 2000;  ///< a frame that takes longer to compute is no longer waited for
 
 QString titleOf(viscera::OrganModel model) {
   switch (model) {
@@ -51,7 +56,8 @@ void dressAxes(vtkAxesActor* axes) {
   axes->SetXAxisLabelText("left");
   axes->SetYAxisLabelText("up");
   axes->SetZAxisLabelText("front");
-  axes->SetNormalizedLabelPosition(1.3, 1.25, 1.3);
+  // The axis that most often points at the viewer has its name farther out, clear of the others.
+  axes->SetNormalizedLabelPosition(1.3, 1.25, 2.7);
   axes->SetShaftTypeToCylinder();
   axes->SetCylinderRadius(0.03);
   axes->SetConeRadius(0.25);
@@ -70,7 +76,7 @@ void dressAxes(vtkAxesActor* axes) {
 }  // namespace
 
 struct SceneView::Impl {
-  QVTKOpenGLNativeWidget* widget = nullptr;
+  Canvas* widget = nullptr;
   QLabel* hint = nullptr;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkCamera> camera;
@@ -83,19 +89,21 @@ struct SceneView::Impl {
   std::string shotFilter;
   std::optional<Vec3d> sourcePick;
   QPointF pressed;
-  bool moving = false;
-  double drawMs = 0.0;
-  std::chrono::steady_clock::time_point drawStart;
+  CoarseMeshes coarseMeshes;
+  bool coarse = false;  ///< how the panes draw now
+  double patience = 50.0;
+  double fullMs = 0.0;  ///< the last drawing in full
+  QTimer drawing;       ///< runs out when nothing else waits to be done
+  QTimer rest;          ///< runs out when nothing has moved for a while
 
-  /// Depth layers of what is translucent.
-  int peels() const { return moving ? 2 : 4; }
+  const CoarseMeshes* detail() const { return coarse ? &coarseMeshes : nullptr; }
 };
 
 SceneView::SceneView(document::StudyDocument& document, QWidget* parent)
     : QWidget(parent), document_(document), impl_(std::make_unique<Impl>()) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  impl_->widget = new QVTKOpenGLNativeWidget(this);
+  impl_->widget = new Canvas(this);
   // Its own contexts, whatever the program's default is; without multisampling, which depth peeling does not go with.
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
@@ -122,19 +130,31 @@ SceneView::SceneView(document::StudyDocument& document, QWidget* parent)
   dressAxes(impl_->axes);
   impl_->marker->SetOrientationMarker(impl_->axes);
 
-  vtkNew<vtkCallbackCommand> clock;
-  clock->SetClientData(impl_.get());
-  clock->SetCallback([](vtkObject*, unsigned long event, void* client, void*) {
-    auto* impl = static_cast<Impl*>(client);
-    const auto now = std::chrono::steady_clock::now();
-    if (event == vtkCommand::StartEvent) {
-      impl->drawStart = now;
-    } else {
-      impl->drawMs = std::chrono::duration<double, std::milli>(now - impl->drawStart).count();
+  impl_->drawing.setSingleShot(true);
+  impl_->drawing.setInterval(0);
+  connect(&impl_->drawing, &QTimer::timeout, this, &SceneView::draw);
+  impl_->rest.setSingleShot(true);
+  connect(&impl_->rest, &QTimer::timeout, this, &SceneView::endMotion);
+  connect(&impl_->coarseMeshes, &CoarseMeshes::made, this, [this] {
+    for (const auto& pane : impl_->panes) {
+      pane->drawCoarsely(impl_->detail());
     }
   });
-  impl_->window->AddObserver(vtkCommand::StartEvent, clock);
-  impl_->window->AddObserver(vtkCommand::EndEvent, clock);
+  vtkRenderWindowInteractor* interactor = impl_->window->GetInteractor();
+  interactor->EnableRenderOff();
+  vtkNew<vtkCallbackCommand> wanted;
+  wanted->SetClientData(this);
+  wanted->SetCallback([](vtkObject* caller, unsigned long, void* client, void*) {
+    auto* view = static_cast<SceneView*>(client);
+    if (static_cast<vtkRenderWindowInteractor*>(caller)->GetEnableRender() != 0) {
+      return;  // drawn already
+    }
+    if (view->impl_->style->GetState() != VTKIS_NONE) {
+      view->beginMotion(restMs);
+    }
+    view->scheduleDrawing();
+  });
+  interactor->AddObserver(vtkCommand::RenderEvent, wanted);
 
   using document::StudyDocument;
   connect(&document_, &StudyDocument::studyChanged, this, [this](document::Changes what) {
@@ -146,6 +166,8 @@ SceneView::SceneView(document::StudyDocument& document, QWidget* parent)
 }
 
 SceneView::~SceneView() {
+  impl_->drawing.stop();
+  impl_->window->GetInteractor()->RemoveObservers(vtkCommand::RenderEvent);
   impl_->marker->SetInteractor(nullptr);
   for (const auto& pane : impl_->panes) {
     impl_->window->RemoveRenderer(pane->renderer());
@@ -159,8 +181,8 @@ const std::shared_ptr<const jobs::Frame>& SceneView::frame() const {
 bool SceneView::isPicking() const {
   return impl_->sourcePick.has_value();
 }
-double SceneView::drawMs() const {
-  return impl_->drawMs;
+void SceneView::setPatience(double ms) {
+  impl_->patience = ms;
 }
 
 void SceneView::arrangePanes(std::size_t count) {
@@ -180,7 +202,6 @@ void SceneView::arrangePanes(std::size_t count) {
     const double left = static_cast<double>(p) * share;
     // A thin line of background between the panes.
     pane->renderer()->SetViewport(left + (p > 0 ? 0.001 : 0.0), 0.0, left + share, 1.0);
-    pane->setPeels(impl_->peels());
     pane->shots().setFilter(impl_->shotFilter);
     impl_->window->AddRenderer(pane->renderer());
     impl_->panes.push_back(std::move(pane));
@@ -197,11 +218,16 @@ void SceneView::arrangePanes(std::size_t count) {
 void SceneView::showFrame(std::shared_ptr<const jobs::Frame> frame) {
   const bool other = frame != nullptr && (impl_->frame == nullptr || impl_->frame->study->body != frame->study->body);
   arrangePanes(frame == nullptr ? 0 : frame->scene->models().size());
+  impl_->coarseMeshes.setStudy(frame == nullptr ? nullptr : frame->study);
   for (std::size_t p = 0; p < impl_->panes.size(); ++p) {
     impl_->panes[p]->showFrame(frame, titleOf(frame->scene->models()[p]));
   }
+  for (const auto& pane : impl_->panes) {
+    pane->drawCoarsely(impl_->detail());
+  }
   // The old frame goes only now that nobody draws it any more.
   impl_->frame = std::move(frame);
+  beginMotion(restMs);
   restyle();
   if (other) {
     fit();
@@ -212,26 +238,59 @@ void SceneView::restyle() {
   for (const auto& pane : impl_->panes) {
     pane->restyle(document_);
   }
-  render();
+  scheduleDrawing();
 }
 
-void SceneView::render() {
+void SceneView::scheduleDrawing() {
+  impl_->drawing.start();
+}
+
+void SceneView::draw() {
   for (const auto& pane : impl_->panes) {
     pane->renderer()->ResetCameraClippingRange();
   }
+  const auto start = std::chrono::steady_clock::now();
   impl_->window->Render();
+  impl_->window->WaitForCompletion();
+  const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  if (!impl_->coarse) {
+    impl_->fullMs = ms;
+    if (ms > impl_->patience) {
+      impl_->coarseMeshes.make();
+    }
+  }
+  if (impl_->rest.isActive()) {
+    // Slow drawings must not look like rest.
+    impl_->rest.start();
+  }
+  Q_EMIT drawn(ms, impl_->coarse);
 }
 
-void SceneView::setMoving(bool moving) {
-  if (moving == impl_->moving) {
+void SceneView::expectFrame() {
+  beginMotion(frameMs);
+}
+
+void SceneView::beginMotion(int rest) {
+  impl_->rest.start(rest);
+  if (!impl_->coarse && impl_->fullMs > impl_->patience) {
+    impl_->coarse = true;
+    for (const auto& pane : impl_->panes) {
+      pane->drawCoarsely(impl_->detail());
+    }
+  }
+}
+
+void SceneView::endMotion() {
+  if (impl_->style->GetState() != VTKIS_NONE) {
+    impl_->rest.start();  // a button is held
     return;
   }
-  impl_->moving = moving;
-  for (const auto& pane : impl_->panes) {
-    pane->setPeels(impl_->peels());
-  }
-  if (!moving) {
-    render();
+  if (impl_->coarse) {
+    impl_->coarse = false;
+    for (const auto& pane : impl_->panes) {
+      pane->drawCoarsely(nullptr);
+    }
+    scheduleDrawing();
   }
 }
 
@@ -273,7 +332,7 @@ void SceneView::lookFrom(StandardView view) {
   const Vec3d position = middle + distance * from;
   camera->SetPosition(position.data());
   camera->SetViewUp(up.data());
-  render();
+  scheduleDrawing();
 }
 
 void SceneView::fit() {
@@ -297,7 +356,7 @@ void SceneView::fit() {
   const Vec3d position = middle - distance * direction;
   camera->SetFocalPoint(middle.data());
   camera->SetPosition(position.data());
-  render();
+  scheduleDrawing();
 }
 
 void SceneView::pickSource(const std::optional<Vec3d>& current) {
@@ -315,7 +374,9 @@ void SceneView::pickSource(const std::optional<Vec3d>& current) {
 }
 
 QImage SceneView::picture() {
-  impl_->window->Render();
+  endMotion();
+  impl_->drawing.stop();
+  draw();
   return impl_->widget->grabFramebuffer();
 }
 
@@ -323,7 +384,9 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != impl_->widget) {
     return QWidget::eventFilter(watched, event);
   }
-  if (event->type() == QEvent::MouseButtonPress) {
+  if (event->type() == QEvent::Resize) {
+    beginMotion(restMs);
+  } else if (event->type() == QEvent::MouseButtonPress) {
     impl_->pressed = static_cast<QMouseEvent*>(event)->position();
   } else if (event->type() == QEvent::MouseButtonRelease) {
     const auto* mouse = static_cast<QMouseEvent*>(event);

@@ -45,15 +45,14 @@ class AnatomicalFrames {
   std::vector<JointAngles> measure(const Skeleton& skeleton, const Pose& pose) const;
 
  private:
-  void addTrunk(const RoleMap& roles);
-  void addArm(const RoleMap& roles, Side side);
-  void addLeg(const RoleMap& roles, Side side);
+  void addTrunk(const Skeleton& skeleton, const RoleMap& roles);
+  void addArm(const Skeleton& skeleton, const RoleMap& roles, Side side);
+  void addLeg(const Skeleton& skeleton, const RoleMap& roles, Side side);
   std::size_t add(Role role, Side side, std::size_t place, JointIndex joint, std::optional<std::size_t> carrier,
                   const geometry::Quatd& restTurn);
-  geometry::Vec3d direction(JointIndex from, JointIndex to) const;
-  std::size_t carrierOf(JointIndex joint) const;
+  geometry::Vec3d direction(const Skeleton& skeleton, JointIndex from, JointIndex to) const;
+  std::size_t carrierOf(const Skeleton& skeleton, JointIndex joint) const;
 
-  const Skeleton* skeleton_ = nullptr;  ///< only while the frames are built
   geometry::Quatd facing_ = geometry::Quatd::Identity();
   std::vector<geometry::Vec3d> restPositions_;
   std::vector<Part> parts_;

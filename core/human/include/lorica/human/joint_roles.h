@@ -68,6 +68,7 @@ class RoleMap {
 struct RoleEntry {
   std::string role;
   std::vector<std::string> joints;
+  bool operator==(const RoleEntry&) const = default;
 };
 
 /// Roles by explicit names. Necessary are pelvis, at least one of lumbar and thoracic, and on both sides shoulder,

@@ -3,7 +3,7 @@
 /// \file
 /// The built-in human, whole: body, motions, organs and armor of a person.
 
-#include <filesystem>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +16,9 @@
 #include "lorica/manikin/organs.h"
 
 namespace lorica::manikin {
+
+/// Goes up whenever any part of a human comes out other than before, so that none is kept too long.
+inline constexpr std::uint32_t kHumanVersion = 1;
 
 struct Human {
   Body body;
@@ -35,8 +38,9 @@ std::string humanBytes(const Human& human);
 /// \throw base::InputError when the bytes are damaged or of another version of the program
 Human readHuman(std::string_view bytes, const std::string& name);
 
-/// The human of a person from the folder where they are kept, else made anew and kept there; one that cannot be read is
-/// made anew, one that cannot be kept is given all the same. The folder is $LORICA_CACHE, else lorica in
+/// The human of a person: the median man is part of the program, others come from the folder where they are kept, else
+/// they are made anew and kept there; one that cannot be read is made anew, one that cannot be kept is given all the
+/// same. The folder is $LORICA_CACHE, else lorica in
 /// $XDG_CACHE_HOME or ~/.cache. \throw as makeHuman()
 Human keptHuman(const human::Person& person, base::Threads threads, const base::Progress& progress = {});
 

@@ -35,7 +35,7 @@ TaskOptions measuredOn(const Body& body);
 /// taskClipNames(). All but walk start and end at rest; kneel_aim and prone_aim aim a rifle (not modelled) along the
 /// way the body faces, right-handed, and hold it in the middle. walk is one cycle on the spot: the ground runs
 /// backwards under it. 30 keys a second (walk 40), linear between.
-/// Thread-safe. Cost: some milliseconds for a rig of fifty joints. The same bytes at each call.
+/// Thread-safe. Cost: about a tenth of a second for a rig of fifty joints. The same bytes at each call.
 /// \throw base::InputError when a limb has no length
 /// \pre the roles are those of the skeleton, made by findRoles() or rolesFromNames()
 std::vector<human::Clip> taskClips(const human::Skeleton& skeleton, const human::RoleMap& roles,

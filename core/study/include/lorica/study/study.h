@@ -15,6 +15,8 @@
 #include "lorica/armor/piece_rig.h"
 #include "lorica/base/units.h"
 #include "lorica/geometry/vectors.h"
+#include "lorica/human/joint_roles.h"
+#include "lorica/human/person.h"
 #include "lorica/shotline/point_source.h"
 #include "lorica/viscera/organ_rig.h"
 
@@ -128,7 +130,10 @@ struct Display {
 struct Study {
   std::string name;
   std::string description;
-  MeshSource human;  ///< builtin: plain
+  MeshSource human;      ///< builtin: human
+  human::Person person;  ///< whom a built-in human stands for
+  /// What the joints of a file's skeleton stand for, where their names do not say it: the task motions run on them.
+  std::vector<human::RoleEntry> jointRoles;
   std::vector<Organ> organs;
   std::vector<ArmorSystem> systems;  ///< `unarmored` is always computed and not listed
   std::vector<Pose> poses;           ///< beside `rest`

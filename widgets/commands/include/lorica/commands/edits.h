@@ -49,6 +49,11 @@ void setJoint(StudyDocument& document, const std::string& organ, const std::opti
 void setLattice(StudyDocument& document, const std::string& organ, const study::LatticeSettings& lattice);
 
 void setCarriage(StudyDocument& document, const std::string& piece, study::Carriage carriage);
+/// Empty: not given. Control characters become spaces.
+void setMaterial(StudyDocument& document, const std::string& piece, const std::string& material);
+/// kg/m2, above 0 and up to `densest`; none: not given. Merges while it is dragged.
+inline constexpr double densest = 10000.0;
+void setArealDensity(StudyDocument& document, const std::string& piece, std::optional<double> density);
 void setNonProtecting(StudyDocument& document, const std::string& piece, const std::vector<std::string>& parts);
 
 /// Merges while it is dragged. Kept within 99 km of the origin.

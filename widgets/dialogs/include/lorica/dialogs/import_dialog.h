@@ -22,9 +22,11 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 class QRadioButton;
-class QTableWidget;
 
 namespace lorica::dialogs {
+
+class ImportFileTable;
+class ImportPreview;
 
 class ImportDialog : public QDialog {
   Q_OBJECT
@@ -56,31 +58,21 @@ class ImportDialog : public QDialog {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  struct Entry {
-    std::filesystem::path file;
-    FileRole role = FileRole::organ;
-    std::string system = "armor";
-    bool chosen = false;  ///< by the user, not guessed
-  };
-
   QWidget* makeModeRow();
   QWidget* makeFileTable();
   QWidget* makeOptions();
   QWidget* makePreview();
   void guess();
-  void rebuildTable();
   void changed();
   QString trouble() const;
   analysis::ImportRequest request() const;
   void read();
   void readEnded();
-  void showIssues(const base::Issues& issues);
   void showState();
   void chooseFiles();
   void removeChosen();
 
   const document::StudyDocument& document_;
-  std::vector<Entry> entries_;
   QString refused_;
   std::filesystem::path studyFile_;
   std::optional<analysis::ImportedStudy> imported_;
@@ -91,13 +83,13 @@ class ImportDialog : public QDialog {
 
   QRadioButton* newStudy_ = nullptr;
   QRadioButton* openStudy_ = nullptr;
-  QTableWidget* table_ = nullptr;
+  ImportFileTable* files_ = nullptr;
   QPushButton* remove_ = nullptr;
   QCheckBox* plates_ = nullptr;
   QCheckBox* split_ = nullptr;
   QComboBox* units_ = nullptr;
   QComboBox* up_ = nullptr;
-  QTableWidget* preview_ = nullptr;
+  ImportPreview* preview_ = nullptr;
   QLabel* message_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* cancelReading_ = nullptr;

@@ -152,8 +152,8 @@ class StudyDocument : public QObject {
   std::vector<std::shared_ptr<const RunRecord>> runs_;
 };
 
-/// Whether two studies give the same tables: names and descriptions of the whole, and how things are drawn, change no
-/// number.
+/// Whether two studies give the same tables: names and descriptions of the whole, what armor is made of, and how things
+/// are drawn, change no number.
 bool sameNumbers(const study::Study& a, const study::Study& b);
 
 /// Whether the study (or the body, or the runs) has such an item. Regions are known while a study is loaded.

@@ -71,6 +71,8 @@ class BarFigure : public QChart {
  private:
   class Intervals;
 
+  bool isSmall() const;
+  void placeTitles();
   void makeBars();
   void scaleValues();
   void placeLabels();

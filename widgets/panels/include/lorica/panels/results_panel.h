@@ -39,6 +39,9 @@ class ResultsPanel : public QWidget {
   void runShown(const std::shared_ptr<const lorica::document::RunRecord>& run);
   void saveRequested(const std::shared_ptr<const lorica::document::RunRecord>& run);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   struct FilterCombo {
     models::ResultsModel::Column column;

@@ -4,6 +4,10 @@
 /// The 3-D view: the posed human with its organs and armor, one picture or two side by side that share a camera. It
 /// shows frames and listens to the document for colours, visibility and selection. The one room that knows VTK's
 /// rendering.
+///
+/// However many things change at once, there is one drawing of the newest, as soon as nothing else waits to be done.
+/// Where a drawing in full is too slow for that, as without a graphics card, coarse ones are drawn while something
+/// moves, and what is shown is drawn in full when it has come to rest.
 
 #include <QImage>
 #include <QWidget>
@@ -35,19 +39,21 @@ class SceneView : public QWidget {
   /// Which shots of the frames are drawn, by what they met: "" all, "hits", "miss", "body", "armor", "organs" or
   /// a structure.
   void setShotFilter(const std::string& met);
-  /// While something moves, fewer layers of what is translucent are drawn.
-  void setMoving(bool moving);
+  /// Another frame is on its way: until it is shown, or for a while, what is drawn counts as in motion.
+  void expectFrame();
   /// The next click places a shot source: on the body, it is put towards the viewer, as far from the body's middle as
   /// `current` is; on the floor, above that place, as high as `current`;
   /// and picked() says where. None: no more.
   void pickSource(const std::optional<geometry::Vec3d>& current);
   bool isPicking() const;
-  /// What is on the screen.
+  /// What is on the screen, in full.
   QImage picture();
-  /// How long the last drawing took, ms.
-  double drawMs() const;
+  /// Drawings that take longer than this in full are made coarse in motion, ms; 50 unless set.
+  void setPatience(double ms);
 
  Q_SIGNALS:
+  /// Something was drawn. \param ms how long it took \param coarse whether less was drawn than there is
+  void drawn(double ms, bool coarse);
   void picked(Eigen::Vector3d position);
   void pickCancelled();
 
@@ -58,8 +64,11 @@ class SceneView : public QWidget {
   struct Impl;
   void arrangePanes(std::size_t count);
   void restyle();
-  void render();
   void click(const QPointF& place);
+  void scheduleDrawing();
+  void draw();
+  void beginMotion(int restMs);
+  void endMotion();
 
   document::StudyDocument& document_;
   std::unique_ptr<Impl> impl_;

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdlib>
+#include <filesystem>
+
+#include "lorica/base/error.h"
+#include "lorica/base/files.h"
+#include "lorica/manikin/human.h"
+
+// The median man, put into the program at build time.
+extern "C" {
+extern const char lorica_median_human[];
+extern const char lorica_median_human_end[];
+}
+
+namespace lorica::manikin {
+
+namespace {
+
+std::filesystem::path cacheFolder() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nobody sets variables
+    return std::string(value == nullptr ? "" : value);
+  };
+  if (const std::string own = variable("LORICA_CACHE"); !own.empty()) {
+    return own;
+  }
+  if (const std::string shared = variable("XDG_CACHE_HOME"); !shared.empty()) {
+    return std::filesystem::path(shared) / "lorica";
+  }
+  const std::string home = variable("HOME");
+  return home.empty() ? std::filesystem::path() : std::filesystem::path(home) / ".cache" / "lorica";
+}
+
+}  // namespace
+
+Human keptHuman(const human::Person& person, base::Threads threads, const base::Progress& progress) {
+  checkPerson(person);
+  if (person == human::Person{}) {
+    return readHuman({lorica_median_human, static_cast<std::size_t>(lorica_median_human_end - lorica_median_human)},
+                     "the built-in human");
+  }
+  const std::filesystem::path folder = cacheFolder();
+  // The bits of the sizes, not their decimals: two persons never share a file.
+  const std::filesystem::path file =
+      folder / fmt::format("human-{}-{}-{:016x}-{:016x}.bin", kHumanVersion,
+                           person.sex == human::Sex::male ? "male" : "female",
+                           std::bit_cast<std::uint64_t>(person.stature), std::bit_cast<std::uint64_t>(person.mass));
+  std::error_code ignored;
+  if (!folder.empty() && std::filesystem::exists(file, ignored)) {
+    try {
+      Human human = readHuman(base::readFile(file), file.string());
+      if (human.body.person == person) {
+        return human;
+      }
+    } catch (const base::InputError&) {
+      // Made anew below, which also mends the file.
+    }
+  }
+  Human human = makeHuman(person, threads, progress);
+  if (!folder.empty()) {
+    try {
+      base::writeFileAtomically(file, humanBytes(human));
+    } catch (const base::InputError&) {
+      // Without a place to keep it the next one takes as long as this one; nothing else is lost.
+    }
+  }
+  return human;
+}
+
+}  // namespace lorica::manikin
