@@ -230,8 +230,11 @@ INSTANTIATE_TEST_SUITE_P(MenAndWomen, OrgansOfPercentile,
                                   std::to_string(static_cast<int>(test.param.percentile));
                          });
 
-TEST(OrgansOfUnusualBuild, AreSoundOfTheirVolumeInsideTheSkinAndApart) {
+TEST(OrgansOfAHeavyMan, AreSoundOfTheirVolumeInsideTheSkinAndApart) {
   expectAllRight(made({Sex::male, 1.72, 115.0}));
+}
+
+TEST(OrgansOfASlimWoman, AreSoundOfTheirVolumeInsideTheSkinAndApart) {
   expectAllRight(made({Sex::female, 1.72, 60.0}));
 }
 
