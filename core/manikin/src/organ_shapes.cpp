@@ -28,9 +28,14 @@ double diaphragm(double x, double z) {
     return top - drop * (u * u + v * v) - 2.2 * back * back;
   };
   const double right = dome(1.302, -0.068, 0.064, 0.055);
-  const double left = dome(1.284, 0.074, 0.060, 0.055);
+  const double left = dome(1.268, 0.074, 0.060, 0.050);
   const double tendon = 1.250 - 0.055 * (x - 0.005) * (x - 0.005) / (0.06 * 0.06) - 0.02 * (z / 0.085) * (z / 0.085);
   return smoothIntersection(smoothIntersection(right, left, 0.03), tendon, 0.03);
+}
+
+/// The lungs end before the diaphragm does.
+double lungBase(const Vec3d& p) {
+  return smoothIntersection(diaphragm(p.x(), p.z()) + 0.003, 1.218, 0.010);
 }
 
 /// A lung without its neighbours; `q` is mirrored so that the lung lies at positive x.
@@ -39,9 +44,9 @@ double lungBody(const Vec3d& q, double inner) {
   const double up = std::max(q.y() - 1.300, 0.0);
   const double lean = std::clamp(up / 0.165, 0.0, 1.2);
   const double centre = 0.068 - 0.024 * lean;
-  const Vec3d semi(0.064, 0.172, 0.092);
+  const Vec3d semi(0.064, 0.168, 0.092);
   const double squareness = 2.5;
-  const double dz = q.z() + 0.022 + 0.018 * lean;
+  const double dz = q.z() + 0.022 + 0.024 * lean;
   const double u = std::abs(q.x() - centre) / semi.x();
   const double w = std::abs(dz) / semi.z();
   const double round = std::pow(std::pow(u, squareness) + std::pow(w, squareness), 1.0 / squareness);
@@ -61,17 +66,16 @@ double fissure(const Vec3d& p, const Vec3d& at, const Vec3d& normal) {
 
 double kidneyShape(const Vec3d& q) {
   // A bean bent around its hilum, which faces the spine and a little forward; the upper pole leans to the spine.
-  static const std::array<Station, 6> bean{{{{0.0470, 1.192, -0.071}, 0.0215},
-                                            {{0.0575, 1.177, -0.068}, 0.0245},
-                                            {{0.0640, 1.158, -0.066}, 0.0255},
-                                            {{0.0650, 1.138, -0.064}, 0.0255},
-                                            {{0.0610, 1.119, -0.062}, 0.0245},
-                                            {{0.0520, 1.104, -0.060}, 0.0215}}};
+  static const std::array<Station, 5> bean{{{{0.0485, 1.181, -0.071}, 0.0250},
+                                            {{0.0590, 1.165, -0.068}, 0.0280},
+                                            {{0.0630, 1.148, -0.066}, 0.0285},
+                                            {{0.0605, 1.131, -0.064}, 0.0280},
+                                            {{0.0520, 1.115, -0.062}, 0.0250}}};
   // Flatter from front to back than from side to side.
   const Vec3d centre(0.058, 1.148, -0.065);
   const Vec3d p(q.x(), q.y(), centre.z() + 1.18 * (q.z() - centre.z()));
   const double body = limbField(p, bean);
-  const double hilum = ellipsoidField(p, {0.0300, 1.148, -0.0555}, {0.0190, 0.0150, 0.0140});
+  const double hilum = ellipsoidField(p, {0.0280, 1.148, -0.0600}, {0.0210, 0.0165, 0.0200});
   return smoothIntersection(body, -hilum, 0.010);
 }
 
@@ -89,28 +93,38 @@ double heartShape(const Vec3d& p) {
   const double ventricles = smoothUnion(leftVentricle, rightVentricle, 0.006);
   double field = smoothUnion(ventricles, smoothUnion(rightAtrium, leftAtrium, 0.010), 0.007);
   field = smoothUnion(field, auricle, 0.005);
-  return smoothUnion(smoothUnion(field, aorticRoot, 0.006), trunk, 0.006);
+  field = smoothUnion(smoothUnion(field, aorticRoot, 0.006), trunk, 0.006);
+  // Behind it the aorta runs down.
+  const double aorta = taperedCapsule(p, {0.024, 1.390, -0.048}, {0.010, 1.200, -0.044}, 0.0165, 0.0145);
+  return smoothIntersection(field, -aorta, 0.006);
 }
 
 double lungLeftShape(const Vec3d& p) {
   double field = lungBody(p, 0.009);
   // The heart's notch in the front edge; the lingula comes back below it.
-  const double notch = ellipsoidField(p, {0.028, 1.270, 0.070}, {0.046, 0.040, 0.040});
+  const double notch = ellipsoidField(p, {0.026, 1.272, 0.072}, {0.038, 0.036, 0.036});
   field = smoothIntersection(field, -notch, 0.010);
-  field = smoothIntersection(field, diaphragm(p.x(), p.z()) + 0.003 - p.y(), 0.010);
-  return field + fissure(p, {0.07, 1.325, -0.030}, {0.0, 0.80, 0.62});
+  field = smoothIntersection(field, lungBase(p) - p.y(), 0.010);
+  return field;
 }
 
 double lungRightShape(const Vec3d& p) {
   const Vec3d q = mirrored(p);
   double field = lungBody(q, 0.009);
-  field = smoothIntersection(field, diaphragm(p.x(), p.z()) + 0.003 - p.y(), 0.010);
+  field = smoothIntersection(field, lungBase(p) - p.y(), 0.010);
+  return field;
+}
+
+double lungLeftFurrows(const Vec3d& p) {
+  return fissure(p, {0.07, 1.325, -0.030}, {0.0, 0.80, 0.62});
+}
+
+double lungRightFurrows(const Vec3d& p) {
   const Vec3d oblique(0.0, 0.80, 0.62);
   const Vec3d at(-0.07, 1.325, -0.030);
-  field += fissure(p, at, oblique);
   // The horizontal fissure leaves the oblique one forward at the height of the fourth rib.
   const double beforeOblique = smoothStep(-0.006, 0.002, (p - at).dot(oblique.normalized()));
-  return field + beforeOblique * fissure(p, {-0.07, 1.338, 0.0}, {0.0, 1.0, 0.12});
+  return fissure(p, at, oblique) + beforeOblique * fissure(p, {-0.07, 1.338, 0.0}, {0.0, 1.0, 0.12});
 }
 
 double liverShape(const Vec3d& p) {
@@ -122,9 +136,9 @@ double liverShape(const Vec3d& p) {
     return radius < 1e-6 ? -0.09 : std::hypot(p.x(), p.z() + 0.004) * (1.0 - 1.0 / radius);
   }();
   const double under = p.y() - (diaphragm(p.x(), p.z()) - 0.004);
-  const double lower = 1.198 + 0.70 * p.x() + 0.25 * std::max(p.x(), 0.0) - 0.42 * p.z();
+  const double lower = 1.184 + 0.60 * p.x() - 0.10 * std::max(p.x(), 0.0) - 0.40 * p.z();
   const double below = 0.77 * (lower - p.y());
-  const double leftEnd = 0.9 * (p.x() - 0.072);
+  const double leftEnd = 0.9 * (p.x() - 0.080);
   // The left lobe lies before the stomach, the right one reaches back to the ribs.
   const double behind = smoothStep(-0.035, 0.045, p.x());
   const double back = (-0.085 + 0.105 * behind) - p.z();
@@ -140,13 +154,13 @@ double liverShape(const Vec3d& p) {
 }
 
 double stomachShape(const Vec3d& p) {
-  static const std::array<Station, 7> bag{{{{0.066, 1.238, -0.030}, 0.0380},
-                                           {{0.074, 1.205, -0.008}, 0.0365},
-                                           {{0.073, 1.170, 0.020}, 0.0320},
-                                           {{0.060, 1.133, 0.042}, 0.0275},
-                                           {{0.036, 1.112, 0.054}, 0.0240},
-                                           {{0.010, 1.117, 0.052}, 0.0190},
-                                           {{-0.016, 1.134, 0.042}, 0.0120}}};
+  static const std::array<Station, 7> bag{{{{0.064, 1.236, -0.030}, 0.0420},
+                                           {{0.073, 1.204, -0.008}, 0.0370},
+                                           {{0.073, 1.170, 0.020}, 0.0310},
+                                           {{0.060, 1.133, 0.042}, 0.0260},
+                                           {{0.036, 1.112, 0.056}, 0.0225},
+                                           {{0.010, 1.117, 0.062}, 0.0185},
+                                           {{-0.018, 1.136, 0.056}, 0.0140}}};
   double field = taperedCapsule(p, bag[0].place, bag[1].place, bag[0].radius, bag[1].radius);
   for (std::size_t i = 1; i + 1 < bag.size(); ++i) {
     field =
@@ -177,11 +191,11 @@ double spleenShape(const Vec3d& p) {
 }
 
 double pancreasShape(const Vec3d& p) {
-  static const std::array<Station, 6> gland{{{{-0.034, 1.118, 0.016}, 0.0190},
-                                             {{-0.026, 1.135, 0.018}, 0.0200},
-                                             {{0.000, 1.150, 0.022}, 0.0125},
-                                             {{0.026, 1.160, 0.012}, 0.0140},
-                                             {{0.054, 1.174, -0.016}, 0.0135},
+  static const std::array<Station, 6> gland{{{{-0.036, 1.116, 0.018}, 0.0180},
+                                             {{-0.028, 1.135, 0.022}, 0.0190},
+                                             {{0.000, 1.149, 0.035}, 0.0125},
+                                             {{0.028, 1.160, 0.022}, 0.0140},
+                                             {{0.056, 1.174, -0.012}, 0.0135},
                                              {{0.080, 1.190, -0.044}, 0.0100}}};
   // Lobules.
   const double lobes = 0.0011 * std::sin(p.x() * 420.0) * std::sin(p.y() * 400.0 + 1.0) * std::sin(p.z() * 430.0);
@@ -189,8 +203,8 @@ double pancreasShape(const Vec3d& p) {
 }
 
 double intestineCore(const Vec3d& p) {
-  return smoothUnion(ellipsoidField(p, {0.0, 1.006, 0.046}, {0.066, 0.044, 0.020}),
-                     ellipsoidField(p, {0.0, 0.985, 0.030}, {0.050, 0.024, 0.020}), 0.02);
+  return smoothUnion(ellipsoidField(p, {0.0, 1.006, 0.048}, {0.060, 0.040, 0.012}),
+                     ellipsoidField(p, {0.0, 0.980, 0.040}, {0.045, 0.024, 0.014}), 0.02);
 }
 
 double bladderShape(const Vec3d& p) {
@@ -225,26 +239,46 @@ double brainShape(const Vec3d& p) {
   // The base: over the orbits in front, higher behind, where the cerebellum lies below.
   const double base = 1.648 + 0.16 * std::max(q.z(), 0.0) - q.y();
   double cerebrum = smoothIntersection(whole, base, 0.020);
-  const double temporal = taperedCapsule(q, {0.044, 1.640, 0.026}, {0.047, 1.648, -0.030}, 0.0175, 0.0190);
-  cerebrum = smoothUnion(cerebrum, temporal, 0.008);
-  if (std::abs(cerebrum) < 0.015) {
-    cerebrum += 0.0048 * convolutions(q);
-  }
-  // The longitudinal fissure, down to the corpus callosum.
-  cerebrum += 0.030 * sheet(q.x(), 0.0040) * smoothStep(1.655, 1.685, q.y());
-  double cerebellum = ellipsoidField(q, {0.024, 1.628, -0.058}, {0.0330, 0.0215, 0.0270});
-  cerebellum += 0.0016 * std::pow(std::cos(pi * (q.y() + 0.25 * q.z()) / 0.0062), 4.0);
+  const double temporal = taperedCapsule(q, {0.042, 1.643, 0.028}, {0.046, 1.655, -0.044}, 0.0165, 0.0200);
+  cerebrum = smoothUnion(cerebrum, temporal, 0.010);
+  const double cerebellum = ellipsoidField(q, {0.024, 1.628, -0.058}, {0.0330, 0.0215, 0.0270});
   double stem = taperedCapsule(q, {0.0, 1.655, -0.016}, {0.0, 1.627, -0.012}, 0.0160, 0.0165);
   stem = smoothUnion(stem, taperedCapsule(q, {0.0, 1.626, -0.014}, {0.0, 1.599, -0.030}, 0.0125, 0.0080), 0.006);
   return smoothUnion(smoothUnion(cerebrum, cerebellum, 0.008), stem, 0.008);
 }
 
+double brainFurrows(const Vec3d& p) {
+  const Vec3d q(std::abs(p.x()), p.y(), p.z());
+  // The longitudinal fissure, down to the corpus callosum.
+  double furrows = 0.030 * sheet(q.x(), 0.0038) * smoothStep(1.655, 1.685, q.y());
+  const double cerebellum = ellipsoidField(q, {0.024, 1.628, -0.058}, {0.0330, 0.0215, 0.0270});
+  const double outer = smoothStep(0.0, 0.006, cerebellum) * smoothStep(1.626, 1.640, q.y() + 0.4 * q.x());
+  // Upright to the surface: what a furrow does depends on its direction from the middle alone.
+  const Vec3d middle(0.0, 1.675, -0.006);
+  const Vec3d semi(0.0655, 0.0600, 0.0830);
+  const Vec3d direction = (q - middle).cwiseQuotient(semi);
+  const Vec3d onSurface = middle + direction.cwiseProduct(semi) / std::max(direction.norm(), 1e-6);
+  const double level = direction.y() / std::max(direction.norm(), 1e-6);
+  const double sides = smoothStep(0.35, 0.55, direction.norm()) * smoothStep(-0.66, -0.42, level);
+  furrows += 0.0066 * convolutions(onSurface) * outer * sides;
+  // The lateral fissure above the temporal lobe, and the central one across the top.
+  const double side = smoothStep(0.030, 0.045, q.x());
+  const double lateral = (q - Vec3d(0.05, 1.656, 0.040)).dot(Vec3d(0.0, 0.966, -0.259));
+  furrows += 0.0085 * sheet(lateral, 0.0032) * side * smoothStep(-0.045, -0.025, q.z());
+  const double central = (q - Vec3d(0.0, 1.74, -0.016)).dot(Vec3d(-0.12, 0.30, 0.94).normalized());
+  furrows += 0.0060 * sheet(central, 0.0028) * smoothStep(1.675, 1.695, q.y());
+  // Leaves of the cerebellum.
+  const double leaves = 0.5 + 0.5 * std::cos(2.0 * pi * (q.y() + 0.3 * q.z()) / 0.0095);
+  furrows += 0.0022 * leaves * leaves * (1.0 - smoothStep(-0.002, 0.004, cerebellum));
+  return furrows;
+}
+
 double thyroidShape(const Vec3d& p) {
   const Vec3d q(std::abs(p.x()), p.y(), p.z());
   const double lobe =
-      smoothUnion(taperedCapsule(q, {0.0165, 1.474, -0.013}, {0.0185, 1.490, -0.012}, 0.0090, 0.0095),
-                  taperedCapsule(q, {0.0185, 1.490, -0.012}, {0.0215, 1.520, -0.013}, 0.0095, 0.0045), 0.006);
-  const double isthmus = taperedCapsule(q, {0.0, 1.484, 0.0030}, {0.0120, 1.484, -0.0010}, 0.0035, 0.0045);
+      smoothUnion(taperedCapsule(q, {0.0170, 1.474, -0.012}, {0.0185, 1.490, -0.011}, 0.0085, 0.0092),
+                  taperedCapsule(q, {0.0185, 1.490, -0.011}, {0.0215, 1.520, -0.012}, 0.0092, 0.0052), 0.012);
+  const double isthmus = taperedCapsule(q, {0.0, 1.484, 0.0068}, {0.0150, 1.484, -0.0010}, 0.0052, 0.0066);
   return smoothUnion(lobe, isthmus, 0.005);
 }
 
@@ -321,7 +355,7 @@ std::vector<Station> largeIntestineTube() {
     const double phase = run / pitch - std::floor(run / pitch) - 0.5;
     const bool rectum = tube[i].place.y() < rectumTop && std::abs(tube[i].place.x()) < 0.01;
     if (!rectum && i + 4 < tube.size()) {
-      tube[i].radius *= 1.06 - 0.30 * sheet(phase, 0.13);
+      tube[i].radius *= 1.08 - 0.38 * sheet(phase, 0.15);
     }
   }
   return tube;
@@ -329,23 +363,23 @@ std::vector<Station> largeIntestineTube() {
 
 std::vector<Station> smallIntestineTube() {
   // Rows from side to side, before and behind, each row waving; their ends turn into the next.
-  constexpr double radius = 0.0122;
+  constexpr double radius = 0.0118;
   constexpr int rows = 6;
   std::vector<Station> course;
   double side = 1.0;
   for (int layer = 0; layer < 2; ++layer) {
     for (int row = 0; row < rows; ++row) {
       const int at = layer == 0 ? row : rows - 1 - row;
-      const double height = 1.052 - 0.0205 * at;
-      const double half = 0.072 * std::sqrt(1.0 - std::pow((at - 2.2) / 4.6, 2.0)) - 0.012 * layer;
-      const double depth = (layer == 0 ? 0.070 : 0.032) - 0.0015 * at;
-      constexpr int points = 9;
+      const double height = 1.056 - 0.0212 * at;
+      const double half = 0.079 * std::sqrt(1.0 - std::pow((at - 2.0) / 4.8, 2.0)) - 0.012 * layer;
+      const double depth = (layer == 0 ? 0.071 : 0.030) - 0.0015 * at;
+      constexpr int points = 11;
       for (int k = 0; k < points; ++k) {
         const double s = -1.0 + 2.0 * k / (points - 1);
-        const double wave = std::sin(5.2 * s + 1.9 * at + 2.3 * layer);
-        const double other = std::cos(4.1 * s + 2.7 * at + 0.8 * layer);
+        const double wave = std::sin(7.0 * s + 1.9 * at + 2.3 * layer);
+        const double other = std::cos(5.3 * s + 2.7 * at + 0.8 * layer);
         const double bow = (layer == 0 ? -0.016 : 0.004) * s * s;
-        course.push_back({{side * s * half, height + 0.0055 * wave, depth + 0.0050 * other + bow}, radius});
+        course.push_back({{side * s * half, height + 0.0075 * wave, depth + 0.0055 * other + bow}, radius});
       }
       side = -side;
     }
@@ -388,7 +422,7 @@ std::vector<std::vector<Station>> tracheaTubes() {
     double run = 0.0;
     for (std::size_t i = 1; i < tube.size(); ++i) {
       run += (tube[i].place - tube[i - 1].place).norm();
-      tube[i].radius += 0.0005 * std::cos(2.0 * pi * run / pitch);
+      tube[i].radius += 0.0004 * std::cos(2.0 * pi * run / pitch);
     }
   }
   return tubes;

@@ -27,6 +27,10 @@ double pancreasShape(const Vec3d& p);
 double intestineCore(const Vec3d& p);
 double bladderShape(const Vec3d& p);
 double brainShape(const Vec3d& p);
+/// What is cut into the finished shape: fissures and furrows, metres of depth.
+double lungLeftFurrows(const Vec3d& p);
+double lungRightFurrows(const Vec3d& p);
+double brainFurrows(const Vec3d& p);
 double thyroidShape(const Vec3d& p);
 /// Vertebrae and pubic bone: nothing else may lie there.
 double boneShape(const Vec3d& p);

@@ -8,12 +8,14 @@
 #include <numeric>
 #include <tuple>
 
+#include "lorica/base/error.h"
 #include "lorica/geometry/closest_point.h"
+#include "lorica/geometry/intersections.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/remesh.h"
 #include "organ_frame.h"
 #include "organ_lattice.h"
-#include "organ_shapes.h"
+#include "organ_recipes.h"
 #include "vessel_routes.h"
 
 namespace lorica::manikin {
@@ -23,168 +25,10 @@ namespace {
 using geometry::Box3d;
 using geometry::TriangleMesh;
 
-/// How an organ is made. Lengths in metres of the canonical man.
-struct Recipe {
-  const char* name;
-  ShapeField shape;                              ///< may be empty when there are tubes
-  std::vector<std::vector<Station>> (*tubes)();  ///< joined to the shape; may be empty
-  Vec3d low;                                     ///< canonical box that holds it
-  Vec3d high;
-  double cell;    ///< of the lattice
-  double edge;    ///< of the triangles
-  double depth;   ///< least distance to the skin
-  double gap;     ///< to what was there before
-  double fillet;  ///< where it meets them
-};
-
-std::vector<std::vector<Station>> largeIntestineTubes() {
-  return {largeIntestineTube()};
-}
-std::vector<std::vector<Station>> smallIntestineTubes() {
-  return {smallIntestineTube()};
-}
-std::vector<std::vector<Station>> spinalCordTubes() {
-  return {spinalCordTube()};
-}
-
-/// In the order in which they take their places: firm ones first, the lungs last.
-const std::vector<Recipe>& recipes() {
-  static const std::vector<Recipe> all{
-      {"trachea", nullptr, tracheaTubes, {-0.06, 1.34, -0.07}, {0.07, 1.53, 0.02}, 0.0016, 0.0022, 0.006, 0.001, 0.001},
-      {"spinal_cord",
-       nullptr,
-       spinalCordTubes,
-       {-0.015, 1.13, -0.13},
-       {0.015, 1.60, -0.02},
-       0.0022,
-       0.0034,
-       0.012,
-       0.001,
-       0.001},
-      {"brain",
-       brainShape,
-       nullptr,
-       {-0.078, 1.585, -0.100},
-       {0.078, 1.755, 0.088},
-       0.0024,
-       0.0036,
-       0.0105,
-       0.0015,
-       0.003},
-      {"thyroid",
-       thyroidShape,
-       nullptr,
-       {-0.04, 1.455, -0.035},
-       {0.04, 1.535, 0.015},
-       0.0013,
-       0.0022,
-       0.006,
-       0.0008,
-       0.001},
-      {"heart", heartShape, nullptr, {-0.075, 1.22, -0.065}, {0.10, 1.40, 0.095}, 0.0028, 0.0050, 0.018, 0.0015, 0.003},
-      {"kidney_left",
-       kidneyLeftShape,
-       nullptr,
-       {0.015, 1.07, -0.11},
-       {0.105, 1.225, -0.02},
-       0.0025,
-       0.0046,
-       0.015,
-       0.0015,
-       0.003},
-      {"kidney_right",
-       kidneyRightShape,
-       nullptr,
-       {-0.105, 1.055, -0.11},
-       {-0.015, 1.21, -0.02},
-       0.0025,
-       0.0046,
-       0.015,
-       0.0015,
-       0.003},
-      {"spleen",
-       spleenShape,
-       nullptr,
-       {0.05, 1.14, -0.125},
-       {0.145, 1.275, 0.01},
-       0.0025,
-       0.0046,
-       0.016,
-       0.0015,
-       0.003},
-      {"pancreas",
-       pancreasShape,
-       nullptr,
-       {-0.065, 1.085, -0.07},
-       {0.105, 1.215, 0.05},
-       0.0023,
-       0.0042,
-       0.016,
-       0.0015,
-       0.003},
-      {"liver", liverShape, nullptr, {-0.150, 1.06, -0.11}, {0.11, 1.315, 0.11}, 0.0032, 0.0060, 0.0175, 0.0018, 0.005},
-      {"stomach",
-       stomachShape,
-       nullptr,
-       {-0.05, 1.07, -0.09},
-       {0.13, 1.295, 0.10},
-       0.0028,
-       0.0052,
-       0.016,
-       0.0018,
-       0.004},
-      {"bladder",
-       bladderShape,
-       nullptr,
-       {-0.065, 0.88, -0.03},
-       {0.065, 0.995, 0.085},
-       0.0026,
-       0.0046,
-       0.015,
-       0.0015,
-       0.003},
-      {"large_intestine",
-       nullptr,
-       largeIntestineTubes,
-       {-0.145, 0.84, -0.10},
-       {0.15, 1.20, 0.115},
-       0.0026,
-       0.0046,
-       0.014,
-       0.0016,
-       0.003},
-      {"small_intestine",
-       intestineCore,
-       smallIntestineTubes,
-       {-0.12, 0.90, -0.01},
-       {0.12, 1.10, 0.11},
-       0.0026,
-       0.0046,
-       0.014,
-       0.0018,
-       0.003},
-      {"lung_left",
-       lungLeftShape,
-       nullptr,
-       {-0.01, 1.16, -0.145},
-       {0.16, 1.50, 0.10},
-       0.0034,
-       0.0062,
-       0.014,
-       0.0022,
-       0.006},
-      {"lung_right",
-       lungRightShape,
-       nullptr,
-       {-0.16, 1.16, -0.145},
-       {0.01, 1.50, 0.10},
-       0.0034,
-       0.0062,
-       0.014,
-       0.0022,
-       0.006},
-  };
-  return all;
+/// Between the ribs' inner faces, m.
+double innerChestBreadth(const AnatomyFrame& frame) {
+  constexpr double wall = 0.018;  // skin, muscle and rib on each side
+  return 2.0 * (frame.chestHalfBreadth() - wall);
 }
 
 /// Makes one organ after the other; each keeps clear of those before it.
@@ -199,12 +43,14 @@ class Builder {
 
   const AnatomyFrame& frame() const { return frame_; }
 
-  TriangleMesh make(const Recipe& recipe, double volume) {
+  /// Forgets the organ made last.
+  void takeBack() { placed_.pop_back(); }
+
+  TriangleMesh make(const OrganRecipe& recipe, double volume) {
     Lattice lattice = Lattice::over(bodyBox(recipe), recipe.cell * frame_.scale());
     fillShape(lattice, recipe);
     const std::vector<double> limits = limitsOn(lattice, recipe);
-    return finish(std::move(lattice), limits, recipe.fillet, recipe.edge, volume, 1,
-                  std::string_view(recipe.name) != "trachea");
+    return finish(std::move(lattice), limits, recipe, volume, 1);
   }
 
   /// Eyeballs at their joints, or where they are in the canonical man, as far forward as the lids allow.
@@ -236,48 +82,69 @@ class Builder {
       return field;
     });
     const std::vector<double> limits(lattice.values.size(), -1.0);
-    return finish(std::move(lattice), limits, 0.001, 0.0026, volume, 2, false);
+    const OrganRecipe eyes{.name = "eyes", .edge = 0.0026, .fillet = 0.001, .blurs = 0};
+    return finish(std::move(lattice), limits, eyes, volume, 2);
   }
 
   /// Arteries and veins, laid between what is there; later organs keep clear of them.
   std::pair<TriangleMesh, TriangleMesh> layVessels(const Body& body) {
     std::vector<Vessel> vessels = vesselRoutes(body, frame_);
-    Surroundings around;
-    for (const Lattice& solid : placed_) {
-      around.solids.push_back(&solid);
+    Surroundings around = surroundings();
+    VesselSurface arteries;
+    VesselSurface veins;
+    // Walls that still meet after the first laying are moved further apart.
+    constexpr int attempts = 5;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      settle(vessels, around);
+      arteries = vesselSurface(vessels, true);
+      veins = vesselSurface(vessels, false);
+      untangle(arteries.mesh, threads_);
+      untangle(veins.mesh, threads_);
+      if (geometry::intersections(arteries.mesh, veins.mesh, threads_).empty()) {
+        break;
+      }
+      around.gap += 0.001;
     }
-    around.bone = [this](const Vec3d& p) { return frame_.scale() * boneShape(frame_.toCanonical(p)); };
-    around.skin = &skin_;
-    settle(vessels, around);
-    VesselSurface arteries = vesselSurface(vessels, true);
-    VesselSurface veins = vesselSurface(vessels, false);
-    untangle(arteries.mesh, threads_);
-    untangle(veins.mesh, threads_);
     tubes_ = std::move(arteries.tubes);
     tubes_.insert(tubes_.end(), veins.tubes.begin(), veins.tubes.end());
     return {std::move(arteries.mesh), std::move(veins.mesh)};
   }
 
  private:
-  TriangleMesh finish(Lattice lattice, const std::vector<double>& limits, double filletCanonical, double edge,
-                      double volume, std::size_t pieces, bool smooth) {
-    constexpr double slack = 0.0006;
+  /// The surface of a shape that has grown or shrunk to its volume within its limits.
+  TriangleMesh finish(Lattice lattice, const std::vector<double>& limits, const OrganRecipe& recipe, double volume,
+                      std::size_t pieces) {
     const std::vector<double> shape = lattice.values;
-    const double fillet = filletCanonical * frame_.scale();
+    const double fillet = recipe.fillet * frame_.scale();
+    std::vector<double> furrows;
+    if (recipe.furrows != nullptr) {
+      Lattice cut = lattice;
+      sample(cut, frame_, threads_, [&](const Level& level, const Vec3d& p) {
+        return frame_.scale() * recipe.furrows(level.toCanonical(p.x(), p.z()));
+      });
+      furrows = std::move(cut.values);
+    }
     const auto swell = [&](double by) {
       for (std::size_t i = 0; i < shape.size(); ++i) {
         lattice.values[i] = smoothIntersection(shape[i] - by, limits[i], fillet);
       }
     };
-    // Rounded edges and no gaps too narrow for the triangles, still clear of the others.
+    // Rounded edges and nothing too thin for the triangles, still clear of the others.
     const auto swellSmoothly = [&](double by) {
+      constexpr double slack = 0.0006;
       swell(by);
-      if (smooth) {
-        blur(lattice);
-        for (std::size_t i = 0; i < shape.size(); ++i) {
-          lattice.values[i] = std::max(lattice.values[i], limits[i] - slack);
+      for (int pass = 0; pass < recipe.blurs; ++pass) {
+        if (pass + 1 == recipe.blurs && !furrows.empty()) {
+          for (std::size_t i = 0; i < shape.size(); ++i) {
+            lattice.values[i] += furrows[i];
+          }
         }
+        blur(lattice);
       }
+      for (std::size_t i = 0; i < shape.size(); ++i) {
+        lattice.values[i] = std::max(lattice.values[i], limits[i] - slack);
+      }
+      closeBox(lattice);
     };
     double by = 0.0;
     if (volume > 0.0) {
@@ -290,7 +157,7 @@ class Builder {
       swellSmoothly(by);
       mesh = surfaceOf(lattice, pieces);
     }
-    mesh = evenTriangles(mesh, lattice, edge * frame_.scale());
+    mesh = evenTriangles(mesh, lattice, recipe.edge * frame_.scale());
     untangle(mesh, threads_);
     if (volume > 0.0) {
       adjustVolume(mesh, volume);
@@ -300,7 +167,23 @@ class Builder {
     return mesh;
   }
 
-  Box3d bodyBox(const Recipe& recipe) const {
+  /// Outside at the lattice's own faces, so that every surface in it closes.
+  static void closeBox(Lattice& lattice) {
+    for (std::size_t k = 0; k < lattice.points[2]; ++k) {
+      for (std::size_t j = 0; j < lattice.points[1]; ++j) {
+        for (std::size_t i = 0; i < lattice.points[0]; ++i) {
+          const bool face = i == 0 || j == 0 || k == 0 || i + 1 == lattice.points[0] || j + 1 == lattice.points[1] ||
+                            k + 1 == lattice.points[2];
+          if (face) {
+            double& value = lattice.values[lattice.index(i, j, k)];
+            value = std::max(value, lattice.cell);
+          }
+        }
+      }
+    }
+  }
+
+  Box3d bodyBox(const OrganRecipe& recipe) const {
     Box3d box;
     constexpr int steps = 4;
     for (int i = 0; i <= steps; ++i) {
@@ -314,7 +197,17 @@ class Builder {
     return box;
   }
 
-  void fillShape(Lattice& lattice, const Recipe& recipe) const {
+  Surroundings surroundings() const {
+    Surroundings around;
+    for (const Lattice& solid : placed_) {
+      around.solids.push_back(&solid);
+    }
+    around.bone = [this](const Vec3d& p) { return frame_.scale() * boneShape(frame_.toCanonical(p)); };
+    around.skin = &skin_;
+    return around;
+  }
+
+  void fillShape(Lattice& lattice, const OrganRecipe& recipe) const {
     constexpr double far = 0.02;
     const double scale = frame_.scale();
     sample(lattice, frame_, threads_, [&](const Level& level, const Vec3d& p) {
@@ -322,17 +215,31 @@ class Builder {
     });
     if (recipe.tubes != nullptr) {
       for (const std::vector<Station>& tube : recipe.tubes()) {
-        std::vector<Station> there;
+        Vessel there;
         for (const Station& station : tube) {
-          there.push_back({frame_.toBody(station.place), station.radius * scale});
+          there.stations.push_back({frame_.toBody(station.place), station.radius * scale});
         }
-        stampTube(lattice, there, far);
+        if (recipe.yielding) {
+          std::vector<Vessel> alone{std::move(there)};
+          Surroundings around = surroundings();
+          around.gap = recipe.gap;
+          around.skinDepth = recipe.depth;
+          Lattice vessels = Lattice::over(lattice.box(), 0.004);
+          std::fill(vessels.values.begin(), vessels.values.end(), 0.03);
+          for (const std::vector<Station>& vessel : tubes_) {
+            stampTube(vessels, vessel, 0.03);
+          }
+          around.solids.push_back(&vessels);
+          settle(alone, around);
+          there = std::move(alone.front());
+        }
+        stampTube(lattice, there.stations, far);
       }
     }
   }
 
   /// Positive where the organ may not be.
-  std::vector<double> limitsOn(const Lattice& lattice, const Recipe& recipe) const {
+  std::vector<double> limitsOn(const Lattice& lattice, const OrganRecipe& recipe) const {
     Lattice limits = lattice;
     const double scale = frame_.scale();
     std::vector<const Lattice*> near;
@@ -341,7 +248,6 @@ class Builder {
         near.push_back(&other);
       }
     }
-    const bool beside = std::string_view(recipe.name) != "spinal_cord";
     constexpr double boneReach = 0.045;
     // Long edges cut the corner in the furrow around a thin tube.
     const double besideVessels = recipe.gap + 0.3 * recipe.edge;
@@ -353,7 +259,7 @@ class Builder {
     sample(limits, frame_, threads_, [&](const Level& level, const Vec3d& p) {
       double limit = depth_.at(p, 1.0) + recipe.depth;
       const Vec3d canonical = level.toCanonical(p.x(), p.z());
-      if (beside && std::abs(canonical.x()) < boneReach) {
+      if (recipe.besideBone && std::abs(canonical.x()) < boneReach) {
         limit = std::max(limit, recipe.gap - scale * boneShape(canonical));
       }
       for (const Lattice* other : near) {
@@ -389,10 +295,14 @@ class Builder {
     return geometry::remeshed(mesh, options);
   }
 
-  /// Moves the surface along its normals by the last tenths of a millimetre.
+  /// Moves the surface along its normals by the last tenths of a millimetre; never so far that it meets a neighbour,
+  /// where the body has no room for more.
   static void adjustVolume(TriangleMesh& mesh, double volume) {
+    double left = 0.0004;
     for (int i = 0; i < 3; ++i) {
-      const double by = (volume - geometry::signedVolume(mesh)) / geometry::area(mesh);
+      const double wanted = (volume - geometry::signedVolume(mesh)) / geometry::area(mesh);
+      const double by = std::clamp(wanted, -left, left);
+      left -= std::abs(by);
       const std::vector<geometry::Vec3f> normals = geometry::vertexNormals(mesh.positions, mesh.triangles);
       for (std::size_t v = 0; v < normals.size(); ++v) {
         mesh.positions[v] += static_cast<float>(by) * normals[v];
@@ -412,28 +322,36 @@ class Builder {
 
 std::vector<Organ> organsOf(const Body& body, const OrganOptions& options, const base::Progress& progress) {
   Builder builder(body, options);
-  constexpr double wall = 0.020;  // skin, muscle and ribs on each side
-  const double innerBreadth = 2.0 * (builder.frame().chestHalfBreadth() - wall);
+  const double innerBreadth = innerChestBreadth(builder.frame());
   std::map<std::string, TriangleMesh> made;
   const std::vector<OrganTarget> targets = organTargets(body.person, options, innerBreadth);
   const auto volumeOf = [&](std::string_view name) {
     return std::find_if(targets.begin(), targets.end(), [&](const OrganTarget& t) { return t.name == name; })->volume;
   };
   made["eyes"] = builder.makeEyes(body.skeleton, volumeOf("eyes"));
-  for (std::size_t i = 0; i < recipes().size(); ++i) {
+  for (std::size_t i = 0; i < organRecipes().size(); ++i) {
     progress.check();
-    const Recipe& recipe = recipes()[i];
+    const OrganRecipe& recipe = organRecipes()[i];
     made[recipe.name] = builder.make(recipe, volumeOf(recipe.name));
     if (std::string_view(recipe.name) == "heart") {
       std::tie(made["arteries"], made["veins"]) = builder.layVessels(body);
+      // Once more, now that the vessels have their places.
+      builder.takeBack();
+      made[recipe.name] = builder.make(recipe, volumeOf(recipe.name));
     }
-    progress.report(static_cast<double>(i + 1) / static_cast<double>(recipes().size()));
+    progress.report(static_cast<double>(i + 1) / static_cast<double>(organRecipes().size()));
   }
   std::vector<Organ> organs;
   for (const OrganTarget& target : targets) {
     organs.push_back({target.name, std::move(made[target.name]), target.volume, target.density, target.source});
   }
   return organs;
+}
+
+double cardiothoracicRatio(const Body& body, const std::vector<Organ>& organs) {
+  const auto heart = std::find_if(organs.begin(), organs.end(), [](const Organ& o) { return o.name == "heart"; });
+  LORICA_CHECK(heart != organs.end(), "the organs have a heart");
+  return geometry::bounds(heart->mesh.positions).sizes().x() / innerChestBreadth(AnatomyFrame(body));
 }
 
 }  // namespace lorica::manikin

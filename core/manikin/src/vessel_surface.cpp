@@ -202,7 +202,12 @@ class Sweeper {
       const std::uint32_t bNext = next[(best + j + 1) % m];
       const double forward = (points_[aNext] - points_[b]).squaredNorm();
       const double upward = (points_[bNext] - points_[a]).squaredNorm();
-      const bool stepLoop = j >= m || (i < n && forward <= upward);
+      // Neither round runs ahead of the other by a whole side; within that the shorter rung wins.
+      const double lead = (static_cast<double>(i) + 0.5) / static_cast<double>(n) -
+                          (static_cast<double>(j) + 0.5) / static_cast<double>(m);
+      const double most = 0.75 / static_cast<double>(std::min(n, m));
+      const bool preferred = lead > most ? false : lead < -most || forward <= upward;
+      const bool stepLoop = j >= m || (i < n && preferred);
       if (stepLoop) {
         triangles_.push_back({a, aNext, b});
         ++i;
