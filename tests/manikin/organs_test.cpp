@@ -16,7 +16,7 @@
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/mesh_audit.h"
 #include "lorica/geometry/winding.h"
-#include "lorica/manikin/plain_human.h"
+#include "lorica/manikin/human.h"
 
 namespace lorica::manikin {
 namespace {
@@ -311,8 +311,7 @@ TEST(OrgansOfTheMedianMan, LieWhereAnAnatomistLooksForThem) {
 }
 
 TEST(Organs, AreTheSameAtAnyNumberOfThreads) {
-  const PlainHuman plain = plainHuman();
-  const Body body{Person{}, plain.skin, plain.weights, plain.skeleton};
+  const Body body = keptHuman({}, {}).body;
   OrganOptions one;
   one.threads.count = 1;
   OrganOptions three;
@@ -327,8 +326,7 @@ TEST(Organs, AreTheSameAtAnyNumberOfThreads) {
 }
 
 TEST(Organs, CanBeCancelled) {
-  const PlainHuman plain = plainHuman();
-  const Body body{Person{}, plain.skin, plain.weights, plain.skeleton};
+  const Body body = keptHuman({}, {}).body;
   base::Task task;
   task.cancel();
   EXPECT_THROW(organsOf(body, {}, base::Progress(task)), base::Cancelled);

@@ -313,7 +313,8 @@ LoadedPiece loadPiece(Loading& loading, const study::ArmorPiece& piece, const st
     const bool weighted = made != nullptr && made->weights.has_value();
     loaded.rig = armor::bindPiece(std::move(mesh), piece.name, piece.carriage, *loading.result.body,
                                   weighted ? &*made->weights : nullptr,
-                                  weighted ? &builtinHuman(loading, {}).body.skeleton : nullptr, loading.threads);
+                                  weighted ? &builtinHuman(loading, {}).body.skeleton : nullptr, loading.threads,
+                                  made == nullptr ? std::nullopt : made->carriedAt);
     return loaded;
   }
   const InputFile& input = std::get<InputFile>(piece.mesh.from);

@@ -111,7 +111,7 @@ Vec3d Level::toCanonical(double x, double z) const {
 
 Vec3d jointPlace(const human::Skeleton& skeleton, std::string_view name) {
   const auto joint = skeleton.find(name);
-  LORICA_CHECK(joint.has_value(), "the body has the joints of the plain human");
+  LORICA_CHECK(joint.has_value(), "the body has the joints of the joint table");
   return skeleton.restPosition(*joint);
 }
 

@@ -51,7 +51,7 @@ struct SkinSection {
 
 class AnatomyFrame {
  public:
-  /// \pre the skeleton has the spine's, hips' and head's joints of the plain human
+  /// \pre the skeleton has the spine's, hips' and head's joints of the joint table
   explicit AnatomyFrame(const Body& body);
 
   /// Body over canonical man, by stature.

@@ -75,7 +75,7 @@ struct Organ {
 /// The organs of a body in the order of organNames(), each within 1 % of its target volume, or smaller where a very
 /// slim trunk has no room for it; no two of them overlap, liver and heart lie at least 15 mm deep.
 /// The same bytes at any number of threads. Cost: a few seconds.
-/// \pre the skeleton has the joints of the plain human
+/// \pre the skeleton has the joints of the joint table
 /// \throw base::Cancelled
 std::vector<Organ> organsOf(const Body& body, const OrganOptions& options = {}, const base::Progress& progress = {});
 
