@@ -58,6 +58,24 @@ Attitude Attitude::operator*(double factor) const {
           {legs[0] * factor, legs[1] * factor}};
 }
 
+namespace {
+
+/// Degrees from the hanging arm.
+double elevation(const JointAngles& shoulder) {
+  return base::degrees(std::acos(
+      std::clamp(std::cos(radians(shoulder.flexion)) * std::cos(radians(shoulder.abduction)), -1.0, 1.0)));
+}
+
+/// The shoulder blade takes a third of what the arm is raised beyond rest (scapulohumeral rhythm 2:1, joint table); it
+/// sets in gently.
+double scapularTurn(const JointAngles& shoulder, const JointAngles& atRest) {
+  constexpr double onset = 10.0;
+  const double raised = std::max(elevation(shoulder) - elevation(atRest), 0.0);
+  return raised * raised / (raised + onset) / 3.0;
+}
+
+}  // namespace
+
 Figure::Figure(const human::Skeleton& skeleton, const human::RoleMap& roles, const TaskOptions& options)
     : skeleton_(skeleton), roles_(roles), frames_(skeleton, roles), partOf_(skeleton.size()), options_(options) {
   for (std::size_t p = 0; p < frames_.parts().size(); ++p) {
@@ -134,8 +152,12 @@ JointAngles Figure::anglesOf(const Part& part, const Attitude& attitude) const {
   const bool twists = frames_.part(Role::forearmTwist, part.side).has_value();
   switch (part.role) {
     case Role::clavicle: {
-      const double share = 1.0 / static_cast<double>(roles_.joints(Role::clavicle, part.side).size());
-      return arm.clavicle * share;
+      const auto girdle = roles_.joints(Role::clavicle, part.side);
+      JointAngles angles = arm.clavicle * (1.0 / static_cast<double>(girdle.size()));
+      if (girdle.size() > 1 && part.joint == girdle.back()) {
+        angles.abduction += scapularTurn(arm.shoulder, rest_.arms[placeOf(part.side)].shoulder);
+      }
+      return angles;
     }
     case Role::shoulder:
       return arm.shoulder;
