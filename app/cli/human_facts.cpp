@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 /// No more digits than a reader can use.
 double rounded(double value, int decimals) {
   const double scale = std::pow(10.0, decimals);
-  return std::round(value * scale) / scale;
+  return std::round(value * scale) / scale + 0.0;  // no -0
 }
 
 /// Null where nothing was wanted.
