@@ -133,7 +133,7 @@ class Measurer {
   }
   TapeReading level(double height) const { return read({0.0, height, 0.0}, Vec3d::UnitY()); }
 
-  void add(std::string name, double value, std::string dimension, GrowsWith with) {
+  void add(std::string name, double value, const std::string& dimension, GrowsWith with) {
     const base::Table& table = anthropometryTable();
     const std::size_t row = surveyRow(body_.person.sex, dimension);
     measures_.push_back({std::move(name), value, sizes_.size(dimension, with), dimension,
