@@ -181,7 +181,8 @@ study::ArmorPiece Importer::pieceFrom(const fs::path& file) {
     piece.nonProtecting.clear();
   } else if (!piece.nonProtecting.empty()) {
     note(input.path, "",
-         fmt::format("parts that do not protect, by their names or as the file says: {}; \"non_protecting\" in the study decides",
+         fmt::format("parts that do not protect, by their names or as the file says: {}; \"non_protecting\" in the "
+                     "study decides",
                      fmt::join(piece.nonProtecting, ", ")));
   }
   return piece;

@@ -179,11 +179,15 @@ BodyFit fitBody(const Anthropometry& sizes, const BodyJoints& joints, base::Thre
   double lastVolume = 0.0;
   for (int round = 0; round < 6; ++round) {
     for (int i = 0; i < (round == 0 ? 6 : 3); ++i) {
+      progress.check();
       fitter.tape(fit);
     }
-    progress.check();
     const BodyField body(sizes, joints, fit);
-    const double volume = volumeInside([&](const Vec3d& p) { return body.whole(p); }, box, 0.0125, threads);
+    const auto whole = [&](const Vec3d& p) {
+      progress.check();
+      return body.whole(p);
+    };
+    const double volume = volumeInside(whole, box, 0.0125, threads);
     if (std::abs(volume / wanted - 1.0) < 0.001) {
       break;
     }
@@ -197,6 +201,7 @@ BodyFit fitBody(const Anthropometry& sizes, const BodyJoints& joints, base::Thre
     }
   }
   for (int i = 0; i < 4; ++i) {
+    progress.check();
     fitter.tape(fit);
   }
   return fit;
