@@ -230,5 +230,17 @@ TEST(ReadFile, OfAFileThatIsBeingReplacedIsTheOldOrTheNewOne) {
   EXPECT_EQ(tornReads([](const fs::path& path) { return readFile(path); }), 0);
 }
 
+TEST(RequireWritableFolder, MakesItAndLeavesItEmpty) {
+  const Folder folder;
+  requireWritableFolder(folder / "a/b");
+  EXPECT_TRUE(fs::is_empty(folder / "a/b"));
+}
+
+TEST(RequireWritableFolder, NamesTheFolderThatCannotBe) {
+  const Folder folder;
+  writeFileAtomically(folder / "file", "bytes");
+  expectInputErrorNaming(folder / "file/below", [&] { requireWritableFolder(folder / "file/below"); });
+}
+
 }  // namespace
 }  // namespace lorica::base

@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "look.h"
-#include "lorica/analysis/loaded_study.h"
+#include "lorica/manikin/body.h"
 #include "lorica/study/study_file.h"
 #include "main_window.h"
 

@@ -101,7 +101,13 @@ void writeFileAtomically(const fs::path& path, std::string_view bytes) {
 void requireWritableFolder(const fs::path& folder) {
   std::error_code ignored;
   const fs::path probe = folder / ".lorica-probe";
-  writeFileAtomically(probe, "");
+  try {
+    writeFileAtomically(probe, "");
+  } catch (const InputError&) {
+    // The user knows the folder, not the probe.
+    throw InputError(folder.string(), "",
+                     "cannot be written; check that the folder can be made, is writable and has room");
+  }
   fs::remove(probe, ignored);
 }
 
