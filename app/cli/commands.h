@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lorica/analysis/import_study.h"
+#include "lorica/human/person.h"
 
 namespace lorica::cli {
 
@@ -31,6 +32,15 @@ int checkFiles(const std::vector<std::filesystem::path>& files, bool acceptInput
 int printTemplate(const std::string& name, bool list);
 
 int importFiles(const analysis::ImportRequest& request);
+
+struct GenerateArguments {
+  human::Sex sex = human::Sex::male;
+  std::optional<double> stature;     ///< m; with mass or not at all
+  std::optional<double> mass;        ///< kg
+  std::optional<double> percentile;  ///< of stature and mass; the median when none of the three is given
+  std::filesystem::path out;
+};
+int generateHuman(const GenerateArguments& arguments);
 
 struct ExportArguments {
   std::filesystem::path study;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "commands.h"
@@ -59,6 +60,30 @@ void addTemplate(CLI::App& app, int& code) {
   command->callback([name, list, &code] { code = printTemplate(*name, *list); });
 }
 
+void addGenerate(CLI::App& app, int& code) {
+  auto* generate = app.add_subcommand("generate", "make a digital human from published numbers");
+  generate->require_subcommand(1);
+  auto* command = generate->add_subcommand("human", "body, organs and armor of an adult, as files");
+  auto arguments = std::make_shared<GenerateArguments>();
+  auto sex = std::make_shared<std::string>();
+  command->add_option("--sex", *sex, "male or female")->required()->check(CLI::IsMember({"male", "female"}));
+  auto* stature = command->add_option("--stature", arguments->stature, "metres; with --mass (default: the median)");
+  auto* mass = command->add_option("--mass", arguments->mass, "kilograms; with --stature (default: the median)");
+  stature->needs(mass);
+  mass->needs(stature);
+  command->add_option("--percentile", arguments->percentile, "of stature and mass, in place of both")
+      ->excludes(stature)
+      ->excludes(mass);
+  command
+      ->add_option("--out", arguments->out,
+                   "folder for body.glb, organs/NAME.glb, armor/SYSTEM/PIECE.glb and facts.json")
+      ->required();
+  command->callback([arguments, sex, &code] {
+    arguments->sex = *sex == "male" ? human::Sex::male : human::Sex::female;
+    code = generateHuman(*arguments);
+  });
+}
+
 /// What `import` was given, before the order of its armor options is known.
 struct ImportArguments {
   analysis::ImportRequest request;
@@ -69,6 +94,25 @@ struct ImportArguments {
   int plates = 0;
 };
 
+/// The files of a folder by their names; anything else is a file itself.
+std::vector<std::filesystem::path> filesOf(const std::filesystem::path& place) {
+  std::error_code failure;
+  if (!std::filesystem::is_directory(place, failure)) {
+    return {place};
+  }
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(place, failure)) {
+    if (entry.is_regular_file(failure)) {
+      files.push_back(entry.path());
+    }
+  }
+  if (files.empty()) {
+    throw base::InputError(place.string(), "", "holds no files; armor pieces were expected");
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 /// --system starts a new system for the --armor and --plates that follow it.
 void orderArmor(const CLI::App& command, ImportArguments& arguments) {
   std::string system = "armor";
@@ -78,7 +122,9 @@ void orderArmor(const CLI::App& command, ImportArguments& arguments) {
     if (option->check_lname("system")) {
       system = arguments.systems.at(systemsSeen++);
     } else if (option->check_lname("armor")) {
-      arguments.request.armor.push_back({system, std::filesystem::path(arguments.armor.at(armorSeen++))});
+      for (std::filesystem::path& piece : filesOf(arguments.armor.at(armorSeen++))) {
+        arguments.request.armor.push_back({system, std::move(piece)});
+      }
     } else if (option->check_lname("plates")) {
       arguments.request.armor.push_back({system, study::Builtin{"front_plate"}});
       arguments.request.armor.push_back({system, study::Builtin{"back_plate"}});
@@ -92,7 +138,7 @@ void addImport(CLI::App& app, int& code) {
   analysis::ImportRequest& request = arguments->request;
   command->add_option("SKIN", request.skin, "the body's skin; with a rig it can be posed")->required();
   command->add_option("ORGANS", request.organs, "one file per organ");
-  command->add_option("--armor", arguments->armor, "an armor piece; may be repeated")
+  command->add_option("--armor", arguments->armor, "an armor piece or a folder of them; may be repeated")
       ->take_all()
       ->allow_extra_args(false);
   command->add_option("--system", arguments->systems, "name of the system that following pieces join")
@@ -153,6 +199,7 @@ int parseAndRun(int argc, char** argv) {
   addRun(app, code);
   addCheck(app, code);
   addTemplate(app, code);
+  addGenerate(app, code);
   addImport(app, code);
   addExport(app, code);
   addUpgrade(app, code);

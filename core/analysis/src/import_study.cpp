@@ -71,6 +71,8 @@ class Importer {
   void addSkin();
   void addOrgan(const fs::path& file);
   void addArmor(const ArmorRequest& armor);
+  /// Whether the file says of all its parts that they do not protect; a note says so.
+  bool leftOut(const fs::path& file);
   study::ArmorPiece pieceFrom(const fs::path& file);
   void addSource(const parenting::BodyRig& body);
   void startFrom(const study::Study& study);
@@ -171,7 +173,7 @@ study::ArmorPiece Importer::pieceFrom(const fs::path& file) {
                          hasWeights ? " by its own weights" : ""));
   std::size_t protecting = model.parts.size();
   for (const io::Part& part : model.parts) {
-    if (model.parts.size() > 1 && holdsAny(lowerCase(part.name), nonProtectingWords)) {
+    if (!part.protects || (model.parts.size() > 1 && holdsAny(lowerCase(part.name), nonProtectingWords))) {
       piece.nonProtecting.push_back(part.name);
       --protecting;
     }
@@ -180,13 +182,26 @@ study::ArmorPiece Importer::pieceFrom(const fs::path& file) {
     piece.nonProtecting.clear();
   } else if (!piece.nonProtecting.empty()) {
     note(input.path, "",
-         fmt::format("parts that do not protect, by their names: {}; \"non_protecting\" in the study decides",
+         fmt::format("parts that do not protect, by their names or as the file says: {}; \"non_protecting\" in the study decides",
                      fmt::join(piece.nonProtecting, ", ")));
   }
   return piece;
 }
 
+bool Importer::leftOut(const fs::path& file) {
+  const study::InputFile input = inputOf(file);
+  const io::Model& model = library_.file(input);
+  if (std::any_of(model.parts.begin(), model.parts.end(), [](const io::Part& part) { return part.protects; })) {
+    return false;
+  }
+  note(input.path, "", "does not protect, as the file says, and is left out");
+  return true;
+}
+
 void Importer::addArmor(const ArmorRequest& armor) {
+  if (const auto* file = std::get_if<fs::path>(&armor.from); file != nullptr && leftOut(*file)) {
+    return;
+  }
   auto& systems = result_.study.systems;
   auto system =
       std::find_if(systems.begin(), systems.end(), [&](const study::ArmorSystem& s) { return s.name == armor.system; });

@@ -32,6 +32,15 @@ void moveToScene(RawPart& part, const Affine3d& frame) {
   }
 }
 
+/// A node's extras may say "protecting": false, as modelBytes() writes it.
+bool protects(const tinygltf::Node& node) {
+  if (!node.extras.IsObject()) {
+    return true;
+  }
+  const tinygltf::Value& said = node.extras.Get("protecting");
+  return !said.IsBool() || said.Get<bool>();
+}
+
 class GltfImporter {
  public:
   GltfImporter(const tinygltf::Model& model, Reading& reading)
@@ -98,6 +107,7 @@ class GltfImporter {
       placeUnskinned(result, node);
     }
     result.name = oneLine(source.name).empty() ? model_.meshes[mesh].name : source.name;
+    result.protects = protects(source);
     noteExtras(extras, node);
     return result;
   }

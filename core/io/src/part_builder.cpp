@@ -192,6 +192,7 @@ void orient(Part& part, std::size_t collapsed, Reading& reading) {
 std::optional<Part> buildPart(RawPart raw, const std::string& name, Reading& reading) {
   Part part;
   part.name = name;
+  part.protects = raw.protects;
   TriangleMesh mesh = floatMesh(raw, name, reading);
   const auto used = removeUnusedVertices(mesh);
   geometry::Welded welded = geometry::weld(mesh);

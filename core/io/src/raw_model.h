@@ -18,6 +18,7 @@ struct RawPart {
   std::vector<geometry::Triangle> triangles;  ///< every index is below positions.size()
   std::size_t influences = 0;                 ///< places per vertex in `weights`; 0 when not skinned
   std::vector<human::Influence> weights;      ///< influences * vertices; finite, not negative, joints exist
+  bool protects = true;                       ///< false when the file says that the part is no armor
 };
 
 struct RawModel {

@@ -10,6 +10,11 @@
 
 namespace lorica::manikin {
 
+std::size_t surveyRow(human::Sex sex, std::string_view dimension) {
+  // The table's rows of a dimension stand together, the man's first.
+  return anthropometryTable().find("dimension", dimension) + (sex == human::Sex::male ? 0 : 1);
+}
+
 namespace {
 
 struct Percentiles {
@@ -23,11 +28,7 @@ struct Percentiles {
 
 Percentiles percentilesOf(human::Sex sex, std::string_view dimension) {
   const base::Table& table = anthropometryTable();
-  // The table's rows of a dimension stand together, the man's first.
-  std::size_t row = table.find("dimension", dimension);
-  if (table.text(row, "sex") != (sex == human::Sex::male ? "male" : "female")) {
-    ++row;
-  }
+  const std::size_t row = surveyRow(sex, dimension);
   const double unit = table.text(row, "unit") == "mm" ? 1e-3 : 1.0;
   return {unit * table.number(row, "p5"), unit * table.number(row, "p50"), unit * table.number(row, "p95")};
 }

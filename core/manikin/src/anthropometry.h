@@ -36,6 +36,9 @@ class Anthropometry {
   double buildScore_ = 0.0;
 };
 
+/// The row of anthropometryTable() that has a dimension of a sex. Throws InputError when there is none.
+std::size_t surveyRow(human::Sex sex, std::string_view dimension);
+
 /// A dimension of a sex at a score, in metres or kilograms.
 double surveyValue(human::Sex sex, std::string_view dimension, double score);
 

@@ -69,9 +69,10 @@ Layer layerOver(Outline outline, std::vector<Layer> below, double thickness, dou
 /// Everything the systems are made from.
 class Armorer {
  public:
-  Armorer(const Body& body, base::Threads threads)
+  Armorer(const Body& body, base::Threads threads, const base::Progress& progress)
       : body_(body),
         threads_(threads),
+        progress_(progress),
         shares_(bodyShares(body)),
         marks_(armorLandmarks(body, shares_)),
         skin_(body.skin),
@@ -98,6 +99,7 @@ class Armorer {
 
   const Body& body_;
   base::Threads threads_;
+  base::Progress progress_;
   BodyShares shares_;
   ArmorLandmarks marks_;
   geometry::ClosestPointTree skin_;
@@ -109,6 +111,7 @@ class Armorer {
 };
 
 ArmorPiece Armorer::soft(const std::string& name, const Layer& layer, const SheetSpec& sheet, bool protecting) const {
+  progress_.check();
   Panel panel = cutPanel(cloth_, {layer.outline, layer.height, layer.thickness, layer.onArms}, body_, skin_, threads_);
   ArmorPiece piece;
   piece.name = name;
@@ -287,12 +290,14 @@ ArmorSystem joined(std::string name, const ArmorSystem& first, const ArmorSystem
 
 }  // namespace
 
-std::vector<ArmorSystem> armorOf(const Body& body, base::Threads threads) {
+std::vector<ArmorSystem> armorOf(const Body& body, base::Threads threads, const base::Progress& progress) {
   LORICA_CHECK(body.weights.vertices() == body.skin.positions.size(), "weights for every vertex of the skin");
-  const Armorer armorer(body, threads);
+  const Armorer armorer(body, threads, progress);
   std::vector<ArmorSystem> systems;
   systems.push_back(armorer.fullTorso());
+  progress.report(0.6);
   systems.push_back(armorer.plateCarrier());
+  progress.report(0.9);
   systems.push_back(armorer.helmet());
   systems.push_back(joined("full_torso_helmet", systems[0], systems[2]));
   systems.push_back(joined("plate_carrier_helmet", systems[1], systems[2]));

@@ -35,14 +35,16 @@ human::Person personAtPercentile(human::Sex sex, double percentile) {
   return {sex, surveyValue(sex, "stature", score), surveyValue(sex, "weightkg", score)};
 }
 
-Body makeBody(const human::Person& person, base::Threads threads) {
+Body makeBody(const human::Person& person, base::Threads threads, const base::Progress& progress) {
   checkPerson(person);
   const Anthropometry sizes(person);
   const BodyJoints joints = bodyJoints(sizes);
-  const BodyField field(sizes, joints, fitBody(sizes, joints, threads));
+  const BodyField field(sizes, joints, fitBody(sizes, joints, threads, progress));
+  progress.report(0.2);
   Body body;
   body.person = person;
-  body.skin = skinMesh(sizes, joints, field, threads);
+  body.skin = skinMesh(sizes, joints, field, threads, progress);
+  progress.report(0.9);
   body.weights = bodyWeights(body.skin, sizes, joints, field, threads);
   body.skeleton = bodySkeleton(joints);
   return body;

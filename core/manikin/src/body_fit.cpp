@@ -108,13 +108,20 @@ class Fitter {
 
 }  // namespace
 
-double bodyVolume(const human::Person& person) {
+double meanDensity(human::Sex sex) {
+  return sex == human::Sex::male ? 1051.0 : 1034.0;
+}
+
+double lungAir(const human::Person& person) {
+  // ICRP 89: lungs of 3141 and 2468 cm3 that weigh 1.20 and 0.95 kg at a tissue density of 1.05, of a reference stature
+  // of 1.76 and 1.63 m.
   const bool male = person.sex == human::Sex::male;
-  // ICRP 89: mean densities 1.051 and 1.034; lungs of 3141 and 2468 cm3 that weigh 1.20 and 0.95 kg at a tissue
-  // density of 1.05, of a reference stature of 1.76 and 1.63 m.
-  const double density = male ? 1051.0 : 1034.0;
   const double air = male ? 3141.4e-6 - 1.2 / 1050.0 : 2467.5e-6 - 0.95 / 1050.0;
-  return person.mass / density + air * std::pow(person.stature / (male ? 1.76 : 1.63), 3.0);
+  return air * std::pow(person.stature / (male ? 1.76 : 1.63), 3.0);
+}
+
+double bodyVolume(const human::Person& person) {
+  return person.mass / meanDensity(person.sex) + lungAir(person);
 }
 
 double volumeInside(const std::function<double(const Vec3d&)>& field, const geometry::Box3d& box, double cell,
@@ -162,7 +169,8 @@ geometry::Box3d bodyBox(const Anthropometry& sizes, const BodyJoints& joints) {
   return {Vec3d(-side, -0.02, -0.55 * depth - 0.05), Vec3d(side, h + 0.02, front)};
 }
 
-BodyFit fitBody(const Anthropometry& sizes, const BodyJoints& joints, base::Threads threads) {
+BodyFit fitBody(const Anthropometry& sizes, const BodyJoints& joints, base::Threads threads,
+                const base::Progress& progress) {
   BodyFit fit;
   const Fitter fitter(sizes, joints);
   const double wanted = bodyVolume(sizes.person());
@@ -173,6 +181,7 @@ BodyFit fitBody(const Anthropometry& sizes, const BodyJoints& joints, base::Thre
     for (int i = 0; i < (round == 0 ? 6 : 3); ++i) {
       fitter.tape(fit);
     }
+    progress.check();
     const BodyField body(sizes, joints, fit);
     const double volume = volumeInside([&](const Vec3d& p) { return body.whole(p); }, box, 0.0125, threads);
     if (std::abs(volume / wanted - 1.0) < 0.001) {

@@ -4,6 +4,7 @@
 
 #include "body_field.h"
 #include "lorica/base/parallel.h"
+#include "lorica/base/progress.h"
 
 namespace lorica::manikin {
 
@@ -12,7 +13,8 @@ double volumeInside(const std::function<double(const Vec3d&)>& field, const geom
                     base::Threads threads);
 
 /// The multipliers for which the tape reads the survey's girths and the body has its volume.
-BodyFit fitBody(const Anthropometry& sizes, const BodyJoints& joints, base::Threads threads);
+BodyFit fitBody(const Anthropometry& sizes, const BodyJoints& joints, base::Threads threads,
+                const base::Progress& progress);
 
 /// Box around the skin with some room.
 geometry::Box3d bodyBox(const Anthropometry& sizes, const BodyJoints& joints);

@@ -76,9 +76,13 @@ Vec3d ontoSurface(const std::function<double(const Vec3d&)>& field, const Vec3d&
 }
 
 geometry::TriangleMesh skinMesh(const Anthropometry& sizes, const BodyJoints& joints, const BodyField& field,
-                                base::Threads threads) {
+                                base::Threads threads, const base::Progress& progress) {
   const double size = sizes.person().stature / 1.755;
-  const auto whole = [&](const Vec3d& p) { return field.whole(p); };
+  // The field is asked all the time, and asking for the wish to stop costs nothing beside it.
+  const auto whole = [&](const Vec3d& p) {
+    progress.check();
+    return field.whole(p);
+  };
   const geometry::Box3d box = bodyBox(sizes, joints);
   const geometry::TriangleMesh rough = geometry::isosurface(whole, box, 0.0055 * size, 1.8, threads);
   const std::vector<FinePlace> fine = finePlaces(joints, size);

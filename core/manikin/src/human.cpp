@@ -168,7 +168,7 @@ ArmorPiece readPiece(Reader& reader, std::size_t joints) {
 
 Human makeHuman(const human::Person& person, base::Threads threads, const base::Progress& progress) {
   Human human;
-  human.body = makeBody(person, threads);
+  human.body = makeBody(person, threads, progress.part(0.0, 0.4));
   progress.check();
   progress.report(0.4);
   OrganOptions options;
@@ -176,7 +176,7 @@ Human makeHuman(const human::Person& person, base::Threads threads, const base::
   human.organs = organsOf(human.body, options, progress.part(0.4, 0.8));
   progress.check();
   progress.report(0.8);
-  human.systems = armorOf(human.body, threads);
+  human.systems = armorOf(human.body, threads, progress.part(0.8, 1.0));
   human.clips = clipsOf(human.body);
   progress.report(1.0);
   return human;

@@ -29,6 +29,7 @@ struct Part {
   std::string name;                           ///< unique in the model; "part_N" when the file gives none
   geometry::TriangleMesh mesh;                ///< welded, in the scene's frame and metres, at rest
   std::optional<human::SkinWeights> weights;  ///< one entry per vertex, joints of `skeleton`
+  bool protects = true;                       ///< false when the node's extras say "protecting": false
 };
 
 struct Model {

@@ -10,6 +10,7 @@
 
 #include "lorica/armor/piece_rig.h"
 #include "lorica/base/parallel.h"
+#include "lorica/base/progress.h"
 #include "lorica/manikin/body.h"
 
 namespace lorica::manikin {
@@ -45,6 +46,7 @@ struct ArmorSystem {
 /// it with a gap of a millimetre or more. No piece cuts the skin or another piece of its system.
 /// \pre the body stands at rest and its skeleton has the joints of the joint table
 /// Thread-safe; the same bytes at any number of threads. Cost: about 3 s on two cores.
-std::vector<ArmorSystem> armorOf(const Body& body, base::Threads threads);
+/// \throw base::Cancelled
+std::vector<ArmorSystem> armorOf(const Body& body, base::Threads threads, const base::Progress& progress = {});
 
 }  // namespace lorica::manikin

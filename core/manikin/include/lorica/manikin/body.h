@@ -5,6 +5,7 @@
 /// numbers. Organs, armor and motions are made for it.
 
 #include "lorica/base/parallel.h"
+#include "lorica/base/progress.h"
 #include "lorica/geometry/triangle_mesh.h"
 #include "lorica/human/person.h"
 #include "lorica/human/skeleton.h"
@@ -38,10 +39,16 @@ human::Person personAtPercentile(human::Sex sex, double percentile);
 /// Breadths, depths and girths are those the survey has for the person's stature and build; the whole has the person's
 /// volume: mass over the mean density of ICRP publication 89, plus the air in the lungs.
 /// Skin of 35,000 to 50,000 triangles. The same bytes at any number of threads.
-/// Throws InputError as checkPerson(). Thread-safe. Cost: about 4 s on two threads.
-Body makeBody(const human::Person& person, base::Threads threads);
+/// Throws InputError as checkPerson(), Cancelled. Thread-safe. Cost: about 4 s on two threads.
+Body makeBody(const human::Person& person, base::Threads threads, const base::Progress& progress = {});
 
-/// Volume the skin of a person encloses, m3.
+/// Mean density of an adult without the air in the lungs, kg/m3 (ICRP publication 89).
+double meanDensity(human::Sex sex);
+
+/// Air in the lungs of a person, m3: that of the ICRP 89 reference adult, with the cube of stature.
+double lungAir(const human::Person& person);
+
+/// Volume the skin of a person encloses, m3: mass over mean density, plus the air in the lungs.
 double bodyVolume(const human::Person& person);
 
 }  // namespace lorica::manikin
