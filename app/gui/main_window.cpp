@@ -24,6 +24,7 @@
 #include "lorica/base/error.h"
 #include "lorica/commands/edits.h"
 #include "lorica/dialogs/file_kinds.h"
+#include "lorica/dialogs/human_dialog.h"
 #include "lorica/dialogs/import_dialog.h"
 #include "lorica/study/provenance.h"
 #include "lorica/study/study_file.h"
@@ -138,6 +139,7 @@ void MainWindow::makeMenus() {
 
 void MainWindow::makeFileMenu() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
+  file->addAction(tr("&New study with the built-in human..."), QKeySequence::New, this, &MainWindow::newHumanStudy);
   file->addAction(tr("&Open..."), QKeySequence::Open, this, &MainWindow::chooseAndOpen);
   recentMenu_ = file->addMenu(tr("Open &recent"));
   connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
@@ -175,6 +177,10 @@ void MainWindow::makeEditMenu() {
   redo->setShortcut(QKeySequence::Redo);
   edit->addAction(undo);
   edit->addAction(redo);
+  edit->addSeparator();
+  QAction* person = edit->addAction(tr("Change the &person..."), this, &MainWindow::changePerson);
+  person->setObjectName(QStringLiteral("change_person"));
+  connect(edit, &QMenu::aboutToShow, this, [this, person] { person->setEnabled(hasBuiltinHuman()); });
 }
 
 void MainWindow::makeViewMenu() {
@@ -241,7 +247,13 @@ void MainWindow::makeStatusBar() {
         static_cast<QWidget*>(problemCount_), static_cast<QWidget*>(timing_)}) {
     statusBar()->addPermanentWidget(widget);
   }
-  connect(cancel_, &QToolButton::clicked, &runs_, &jobs::RunController::cancel);
+  connect(cancel_, &QToolButton::clicked, this, [this] {
+    if (runs_.job() != nullptr) {
+      runs_.cancel();
+    } else {
+      loader_.cancel();
+    }
+  });
 }
 
 void MainWindow::connectAll() {
@@ -325,6 +337,8 @@ void MainWindow::connectAll() {
   connect(view_, &viewport::SceneView::picked, shotLines_, &dialogs::ShotLineDialog::setPickedPoint);
 
   connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::chooseAndOpen);
+  connect(welcome_, &WelcomePage::humanRequested, this, &MainWindow::newHumanStudy);
+  connect(properties_, &panels::PropertiesPanel::personRequested, this, &MainWindow::changePerson);
   connect(welcome_, &WelcomePage::importRequested, this, [this] { importFiles({}); });
   connect(welcome_, &WelcomePage::sampleRequested, this, [this] { openSample(study::templateNames().front()); });
   connect(welcome_, &WelcomePage::fileRequested, this, &MainWindow::openFile);
@@ -356,6 +370,27 @@ void MainWindow::openSample(const std::string& name) {
   document_.setStudy(study::parseStudy(study::templateText(name), name),
                      pathOf(QDir::current().filePath(QString::fromStdString(name) + QStringLiteral(".lorica.json"))));
   openedSample_ = true;
+}
+
+void MainWindow::newHumanStudy() {
+  dialogs::HumanDialog dialog(dialogs::HumanDialog::Purpose::newStudy, {}, this);
+  if (dialog.exec() == QDialog::Accepted && mayDiscard()) {
+    document_.setStudy(dialog.study(), dialogs::freeStudyFile(pathOf(QDir::currentPath()), "human"));
+  }
+}
+
+bool MainWindow::hasBuiltinHuman() const {
+  return document_.hasStudy() && std::holds_alternative<study::Builtin>(document_.study().human.from);
+}
+
+void MainWindow::changePerson() {
+  if (!hasBuiltinHuman()) {
+    return;
+  }
+  dialogs::HumanDialog dialog(dialogs::HumanDialog::Purpose::changePerson, document_.study().person, this);
+  if (dialog.exec() == QDialog::Accepted) {
+    commands::setPerson(document_, dialog.person());
+  }
 }
 
 void MainWindow::chooseAndOpen() {
@@ -618,7 +653,7 @@ void MainWindow::updateJobs() {
   for (QWidget* widget : {static_cast<QWidget*>(working_), static_cast<QWidget*>(progress_)}) {
     widget->setVisible(job != nullptr);
   }
-  cancel_->setVisible(runs_.job() != nullptr);
+  cancel_->setVisible(job != nullptr);
   if (job != nullptr) {
     const QString left = job->timeLeft();
     working_->setText(left.isEmpty() ? job->title() : tr("%1, %2").arg(job->title(), left));

@@ -59,6 +59,10 @@ class MainWindow : public QMainWindow {
   /// Offers what a crash left behind.
   void offerRecovery();
   void showShotLines();
+  /// Asks for a person, armor and organs, and takes the study of them.
+  void newHumanStudy();
+  /// Asks whom the built-in human stands for. \pre the open study has the built-in human
+  void changePerson();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -79,6 +83,7 @@ class MainWindow : public QMainWindow {
   void connectAll();
   QDockWidget* dock(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
 
+  bool hasBuiltinHuman() const;
   void chooseAndOpen();
   bool save();
   bool saveAs();

@@ -29,6 +29,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     column->addWidget(made);
   };
   button(tr("Open the sample study"), &WelcomePage::sampleRequested);
+  button(tr("New study with the built-in human..."), &WelcomePage::humanRequested);
   button(tr("Open a study..."), &WelcomePage::openRequested);
   button(tr("Import a body, organs and armor..."), &WelcomePage::importRequested);
   column->addSpacing(12);

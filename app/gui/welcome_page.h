@@ -17,6 +17,7 @@ class WelcomePage : public QWidget {
 
  Q_SIGNALS:
   void openRequested();
+  void humanRequested();
   void importRequested();
   void sampleRequested();
   void fileRequested(const QString& file);

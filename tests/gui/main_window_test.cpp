@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFile>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QMouseEvent>
@@ -19,10 +20,12 @@
 #include <QTimer>
 #include <QUndoStack>
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 #include "lorica/analysis/results.h"
 #include "lorica/commands/edits.h"
+#include "lorica/dialogs/human_dialog.h"
 #include "lorica/dialogs/import_dialog.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/primitives.h"
@@ -500,6 +503,77 @@ TEST_F(Window, ADroppedOrganIsImportedIntoTheOpenStudy) {
   EXPECT_EQ(window_.view().frame()->study->organs.back()->name, "thymus");
   window_.document().undoStack().undo();
   EXPECT_FALSE(hasIt());
+}
+
+/// Chooses in the dialog for persons when it comes, then accepts it.
+void chooseHuman(QObject* context, const std::function<void(dialogs::HumanDialog&)>& choose) {
+  auto* timer = new QTimer(context);
+  QObject::connect(timer, &QTimer::timeout, context, [timer, choose] {
+    if (auto* dialog = qobject_cast<dialogs::HumanDialog*>(QApplication::activeModalWidget())) {
+      timer->deleteLater();
+      choose(*dialog);
+      dialog->accept();
+    }
+  });
+  timer->start(20);
+}
+
+TEST_F(Window, ANewStudyIsWhatTheDialogForPersonsChose) {
+  study::Study chosen;
+  chooseHuman(&window_, [&](dialogs::HumanDialog& dialog) { chosen = dialog.study(); });
+  window_.newHumanStudy();
+  EXPECT_EQ(window_.document().study(), chosen);
+  EXPECT_EQ(chosen.systems.size(), 2U);
+  EXPECT_FALSE(window_.document().hasFile());
+  EXPECT_TRUE(window_.document().isModified());
+  waitForFrame("rest");
+  EXPECT_EQ(window_.view().frame()->study->organs.size(), chosen.organs.size());
+  EXPECT_TRUE(window_.runs().trouble().isEmpty()) << window_.runs().trouble().toStdString();
+}
+
+TEST_F(Window, ANewStudyAsksBeforeUnsavedEditsAreLost) {
+  open();
+  commands::setTrials(window_.document(), 9);
+  const std::string edited = bytes();
+  chooseHuman(&window_, [&](dialogs::HumanDialog&) { answer(QMessageBox::Cancel); });
+  window_.newHumanStudy();
+  EXPECT_TRUE(said_.contains("unsaved")) << said_.toStdString();
+  EXPECT_EQ(bytes(), edited);
+}
+
+TEST_F(Window, AnotherPersonIsOneStepAndUndoGivesTheStudyBackToTheByte) {
+  open();
+  const std::string before = bytes();
+  const human::Person woman{human::Sex::female, 1.60, 60.0};
+  chooseHuman(&window_, [&](dialogs::HumanDialog& dialog) {
+    dialog.setSex(woman.sex);
+    dialog.setSizes(woman.stature, woman.mass);
+  });
+  window_.changePerson();
+  EXPECT_EQ(window_.document().undoStack().count(), 1);
+  EXPECT_EQ(window_.document().study().person, woman);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.document().loaded()->study.person == woman; }, 240000));
+  waitForFrame("rest");
+  EXPECT_NEAR(geometry::bounds(window_.view().frame()->scene->body().skin).sizes().y(), woman.stature, 0.002);
+  window_.document().undoStack().undo();
+  EXPECT_EQ(bytes(), before);
+  waitForFrame("rest");
+  EXPECT_NEAR(geometry::bounds(window_.view().frame()->scene->body().skin).sizes().y(), 1.755, 0.002);
+}
+
+TEST_F(Window, OnlyTheBuiltInHumanCanBeAnotherPerson) {
+  open();
+  auto* action = window_.findChild<QAction*>("change_person");
+  ASSERT_NE(action, nullptr);
+  auto* menu = qobject_cast<QMenu*>(action->associatedObjects().front());
+  ASSERT_NE(menu, nullptr);
+  Q_EMIT menu->aboutToShow();
+  EXPECT_TRUE(action->isEnabled());
+  study::Study study = window_.document().study();
+  study.human.from = study::InputFile{"body.glb", ""};
+  window_.document().setStudy(study, file_.toStdString());
+  Q_EMIT menu->aboutToShow();
+  EXPECT_FALSE(action->isEnabled());
 }
 
 TEST_F(Window, AClickSelectsWhatIsSeenThere) {

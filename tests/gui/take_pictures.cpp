@@ -14,6 +14,7 @@
 #include <cstdio>
 
 #include "look.h"
+#include "lorica/dialogs/human_dialog.h"
 #include "main_window.h"
 
 namespace {
@@ -62,6 +63,33 @@ void takeModal(Photographer& photographer, const char* name, const Open& open) {
     }
   });
   open();
+}
+
+/// Pictures of the dialog for a new study: with the first person, while another is made, with that one.
+void takePerson(Photographer& photographer, MainWindow& window) {
+  QTimer::singleShot(1000, [&] {
+    auto* dialog = qobject_cast<lorica::dialogs::HumanDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) {
+      return;
+    }
+    const auto settle = [&] {
+      return QTest::qWaitFor([&] { return dialog->shownPerson() == dialog->person(); }, patience);
+    };
+    settle();
+    photographer.take("new_human", dialog);
+    dialog->setSex(lorica::human::Sex::female);
+    dialog->setPercentile(5);
+    QTest::qWait(800);
+    photographer.take("new_human_making", dialog);
+    settle();
+    photographer.take("new_human_small", dialog);
+    dialog->setSex(lorica::human::Sex::male);
+    dialog->setSizes(1.98, 140.0);
+    settle();
+    photographer.take("new_human_large", dialog);
+    dialog->reject();
+  });
+  window.newHumanStudy();
 }
 
 }  // namespace
@@ -149,6 +177,8 @@ int main(int argc, char** argv) {
       }
     }
   });
+  takeModal(photographer, "change_person", [&] { window.changePerson(); });
+  takePerson(photographer, window);
   window.document().close();
   photographer.take("empty");
   return 0;

@@ -141,6 +141,29 @@ std::string bodyName(const testing::TestParamInfo<int>& which) {
 }
 INSTANTIATE_TEST_SUITE_P(Of, ArmorOnBodies, testing::Values(0, 1, 2), bodyName);
 
+TEST_P(ArmorOnBodies, IsKnownBeforeItIsMade) {
+  const Dressed& wearer = dressed(GetParam());
+  // The stretched bodies are not quite as tall as their persons; plates come by the body's height.
+  human::Person person = wearer.body.person;
+  person.stature = geometry::bounds(wearer.body.skin.positions).sizes().y();
+  const std::vector<SystemFacts> facts = armorFacts(person);
+  ASSERT_EQ(facts.size(), wearer.systems.size());
+  for (std::size_t s = 0; s < facts.size(); ++s) {
+    EXPECT_EQ(facts[s].name, wearer.systems[s].name);
+    ASSERT_EQ(facts[s].pieces.size(), wearer.systems[s].pieces.size()) << facts[s].name;
+    for (std::size_t p = 0; p < facts[s].pieces.size(); ++p) {
+      const PieceFacts& known = facts[s].pieces[p];
+      const ArmorPiece& made = wearer.systems[s].pieces[p];
+      EXPECT_EQ(known.name, made.name);
+      EXPECT_EQ(known.carriage, made.carriage) << made.name;
+      EXPECT_EQ(known.material, made.material) << made.name;
+      EXPECT_EQ(known.protecting, made.protecting) << made.name;
+      EXPECT_EQ(known.arealDensity.has_value(), made.name != "helmet") << made.name;
+      EXPECT_NEAR(known.arealDensity.value_or(made.arealDensity), made.arealDensity, 1e-9) << made.name;
+    }
+  }
+}
+
 void expectSoundSurfaces(const Dressed& who) {
   for (const std::string system : {"full_torso", "plate_carrier", "helmet"}) {
     for (const ArmorPiece& piece : systemOf(who, system).pieces) {

@@ -60,11 +60,18 @@ TEST(Human, ThatIsDamagedIsRefused) {
   EXPECT_THROW((void)readHuman(bytes + "x", "kept"), base::InputError);
 }
 
+TEST(Human, IsThereAtOnceWhenItIsTheMedianMan) {
+  const std::optional<Human> human = humanIfKept({});
+  ASSERT_TRUE(human.has_value());
+  EXPECT_EQ(human->body.person, human::Person());
+}
+
 TEST(Human, IsMadeAnewWhenWhatWasKeptIsDamaged) {
   std::string pattern = std::filesystem::temp_directory_path() / "lorica-human-XXXXXX";
   ASSERT_NE(mkdtemp(pattern.data()), nullptr);
   const std::filesystem::path folder = pattern;
   ASSERT_EQ(setenv("LORICA_CACHE", folder.c_str(), 1), 0);
+  EXPECT_FALSE(humanIfKept(someone().body.person).has_value());
   const Human first = keptHuman(someone().body.person, {});
   expectSame(first, someone());
   std::filesystem::path file;
@@ -72,6 +79,9 @@ TEST(Human, IsMadeAnewWhenWhatWasKeptIsDamaged) {
     file = entry.path();
   }
   ASSERT_FALSE(file.empty());
+  const std::optional<Human> again = humanIfKept(someone().body.person);
+  ASSERT_TRUE(again.has_value());
+  expectSame(*again, someone());
   const std::string kept = base::readFile(file);
   base::writeFileAtomically(file, kept.substr(0, 1000));
   expectSame(keptHuman(someone().body.person, {}), someone());

@@ -94,12 +94,12 @@ SheetSpec carrierFabric() {
   return sheet("carrier fabric", "padded nylon");
 }
 
-armor::PlateSpec plateFor(const human::Person& person, const ArmorLandmarks& marks) {
+armor::PlateSpec plateFor(human::Sex sex, double stature) {
   // The navel lies as far below the notch as in the median soldier of this sex, scaled with stature.
-  const bool male = person.sex == human::Sex::male;
+  const bool male = sex == human::Sex::male;
   const double medianStature = male ? 1.755 : 1.628;
   const double toNavel = kMillimetre * entry("notch to umbilicus", male ? "male p50" : "female p50", "height").value *
-                         marks.stature / medianStature;
+                         stature / medianStature;
   const double room = toNavel - kMillimetre * (entry("front plate", "all", "bottom above navel").value +
                                                entry("front plate", "all", "top below notch").value);
   std::string best;
@@ -153,7 +153,7 @@ HelmetSpec helmetFor(double headCircumference) {
   spec.thickness = kMillimetre * thickness.value;
   spec.mass = mass.value;
   spec.pads = kMillimetre * pads.value;
-  spec.material = "aramid shell";
+  spec.material = kHelmetMaterial;
   spec.source = fmt::format(
       "ACH helmet, size {}; head circumference range: sizing practice (from memory, unverified); {}; {}; {}; areal "
       "density: mass over the generated shell's area",

@@ -5,10 +5,14 @@
 
 #include <string>
 
-#include "armor_landmarks.h"
 #include "lorica/armor/plates.h"
+#include "lorica/human/person.h"
 
 namespace lorica::manikin {
+
+inline constexpr const char* kPlateMaterial = "ceramic plate on a fibre backing";
+inline constexpr const char* kPouchMaterial = "nylon, empty pouch";
+inline constexpr const char* kHelmetMaterial = "aramid shell";
 
 struct SheetSpec {
   double thickness = 0.0;     ///< m
@@ -34,7 +38,8 @@ double notchOverSternoclavicular();
 double cervicaleOverC7T1();
 
 /// The SAPI plate that reaches from just below the notch to nearest 2 in above the navel.
-armor::PlateSpec plateFor(const human::Person& person, const ArmorLandmarks& marks);
+/// \param stature m, of the body itself
+armor::PlateSpec plateFor(human::Sex sex, double stature);
 
 /// 6 x 8 in beside plates up to M, 7 x 8 in beside larger ones.
 armor::PlateSpec sidePlateBeside(const armor::PlateSpec& plate);

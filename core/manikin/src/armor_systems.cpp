@@ -79,7 +79,7 @@ class Armorer {
         trunkSkin_(withoutArms(body.skin, shares_)),
         cloth_(drapedCloth(body, shares_, marks_, wholeSkin_.tree, {}, threads)),
         outlines_(marks_),
-        plate_(plateFor(body.person, marks_)),
+        plate_(plateFor(body.person.sex, marks_.stature)),
         sidePlate_(sidePlateBeside(plate_)),
         plateTop_(marks_.notch.y() - armor::PlatePlacement{}.belowNotch) {}
 
@@ -184,7 +184,7 @@ std::vector<geometry::RigidTransform> Armorer::addPlates(ArmorSystem& system,
     armor::PlacedPlate plate = placed(under, side, beside(side) ? besideTop : plateTop_);
     piece.mesh = std::move(plate.mesh);
     places.push_back(plate.place);
-    piece.material = "ceramic plate on a fibre backing";
+    piece.material = kPlateMaterial;
     piece.carriedAt = places.back() * Vec3d::Zero();
     piece.area = armor::frontalArea(spec);
     piece.arealDensity = spec.mass / piece.area;
@@ -249,7 +249,7 @@ void Armorer::addBags(ArmorSystem& system, const SheetSpec& fabric, const geomet
         front);
     pouch.area = geometry::area(pouch.mesh);
     pouch.mass = pouch.arealDensity * pouch.area;
-    pouch.material = "nylon, empty pouch";
+    pouch.material = kPouchMaterial;
     pouch.source = fabric.source + "; pouch of 70 x 125 x 30 mm (assumed); area: all its faces";
     system.pieces.push_back(std::move(pouch));
   }

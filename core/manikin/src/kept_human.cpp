@@ -33,33 +33,47 @@ std::filesystem::path cacheFolder() {
   return home.empty() ? std::filesystem::path() : std::filesystem::path(home) / ".cache" / "lorica";
 }
 
+/// Where the human of a person is kept; empty when nowhere.
+std::filesystem::path fileFor(const human::Person& person) {
+  const std::filesystem::path folder = cacheFolder();
+  if (folder.empty()) {
+    return {};
+  }
+  // The bits of the sizes, not their decimals: two persons never share a file.
+  return folder / fmt::format("human-{}-{}-{:016x}-{:016x}.bin", kHumanVersion,
+                              person.sex == human::Sex::male ? "male" : "female",
+                              std::bit_cast<std::uint64_t>(person.stature), std::bit_cast<std::uint64_t>(person.mass));
+}
+
 }  // namespace
 
-Human keptHuman(const human::Person& person, base::Threads threads, const base::Progress& progress) {
+std::optional<Human> humanIfKept(const human::Person& person) {
   checkPerson(person);
   if (person == human::Person{}) {
     return readHuman({lorica_median_human, static_cast<std::size_t>(lorica_median_human_end - lorica_median_human)},
                      "the built-in human");
   }
-  const std::filesystem::path folder = cacheFolder();
-  // The bits of the sizes, not their decimals: two persons never share a file.
-  const std::filesystem::path file =
-      folder / fmt::format("human-{}-{}-{:016x}-{:016x}.bin", kHumanVersion,
-                           person.sex == human::Sex::male ? "male" : "female",
-                           std::bit_cast<std::uint64_t>(person.stature), std::bit_cast<std::uint64_t>(person.mass));
+  const std::filesystem::path file = fileFor(person);
   std::error_code ignored;
-  if (!folder.empty() && std::filesystem::exists(file, ignored)) {
+  if (!file.empty() && std::filesystem::exists(file, ignored)) {
     try {
       Human human = readHuman(base::readFile(file), file.string());
       if (human.body.person == person) {
         return human;
       }
     } catch (const base::InputError&) {
-      // Made anew below, which also mends the file.
+      // As good as none: keptHuman() makes it anew, which also mends the file.
     }
   }
+  return std::nullopt;
+}
+
+Human keptHuman(const human::Person& person, base::Threads threads, const base::Progress& progress) {
+  if (std::optional<Human> kept = humanIfKept(person)) {
+    return *std::move(kept);
+  }
   Human human = makeHuman(person, threads, progress);
-  if (!folder.empty()) {
+  if (const std::filesystem::path file = fileFor(person); !file.empty()) {
     try {
       base::writeFileAtomically(file, humanBytes(human));
     } catch (const base::InputError&) {

@@ -30,6 +30,33 @@ class Edits : public ::testing::Test {
   StudyDocument document_;
 };
 
+TEST(PersonEdit, IsOneStepThatUndoGivesBackToTheByte) {
+  StudyDocument document;
+  document.setStudy(study::parseStudy(study::templateText("sample"), "sample"), "/studies/sample.lorica.json");
+  const std::string before = studyText(document.study());
+  const human::Person woman{human::Sex::female, 1.628, 65.8};
+  QSignalSpy changed(&document, &StudyDocument::studyChanged);
+  setPerson(document, woman);
+  EXPECT_EQ(document.undoStack().count(), 1);
+  EXPECT_EQ(document.undoStack().undoText(), "Change the person");
+  EXPECT_EQ(document.study().person, woman);
+  ASSERT_EQ(changed.count(), 1);
+  EXPECT_EQ(changed[0][0].value<Changes>(), Changes(Change::human));
+  EXPECT_EQ(study::parseStudy(studyText(document.study()), "s"), document.study());
+  setPerson(document, woman);
+  EXPECT_EQ(document.undoStack().count(), 1) << "who is there already is no step";
+  document.undoStack().undo();
+  EXPECT_EQ(studyText(document.study()), before);
+}
+
+TEST(PersonEdit, IsForTheBuiltInHumanOnly) {
+  StudyDocument document;
+  study::Study study = study::parseStudy(study::templateText("sample"), "sample");
+  study.human.from = study::InputFile{"body.glb", ""};
+  document.setStudy(study, "/studies/s.lorica.json");
+  EXPECT_THROW(setPerson(document, {human::Sex::female, 1.628, 65.8}), base::CallerError);
+}
+
 // --- each edit ------------------------------------------------------------------------------------------------------
 
 struct Edit {

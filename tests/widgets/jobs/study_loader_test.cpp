@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
 
@@ -69,6 +70,26 @@ TEST_F(Loader, AStudyThatCannotBeReadKeepsWhatWasLoadedAndSaysWhy) {
   document_.undoStack().undo();
   settle();
   EXPECT_EQ(document_.loaded()->study, document_.study());
+}
+
+TEST_F(Loader, ReadingThatIsStoppedKeepsWhatWasLoadedAndSaysSo) {
+  open();
+  const auto before = document_.loaded();
+  const QTemporaryDir cache;
+  qputenv("LORICA_CACHE", cache.path().toUtf8());
+  // Nobody made this one before: it takes long enough to be stopped.
+  commands::setPerson(document_, {human::Sex::female, 1.6, 61.25});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return loader_.job() != nullptr; }, 5000));
+  loader_.cancel();
+  settle();
+  EXPECT_EQ(document_.loaded(), before);
+  ASSERT_EQ(document_.problems().size(), 1U);
+  EXPECT_EQ(document_.problems().front().severity, base::Severity::error);
+  document_.undoStack().undo();
+  settle();
+  EXPECT_EQ(document_.loaded()->study, document_.study());
+  EXPECT_TRUE(document_.loaded()->body == before->body) << "nothing of it changed";
+  qunsetenv("LORICA_CACHE");
 }
 
 TEST_F(Loader, AnotherStudyMayComeWhileOneIsRead) {

@@ -313,6 +313,16 @@ TEST_F(Properties, AreasOfRegionsSumUpToThatOfTheSkin) {
   EXPECT_NEAR(sum, whole, 0.01 * whole);
 }
 
+TEST_F(Properties, OfTheBuiltInHumanNameThePersonAndOfferAnother) {
+  select(ItemKind::body);
+  EXPECT_EQ(editor<ElidedLabel>("person")->text(), "man, 175.5 cm, 84.6 kg");
+  QSignalSpy requested(&panel_, &PropertiesPanel::personRequested);
+  editor<QPushButton>("change_person")->click();
+  EXPECT_EQ(requested.count(), 1);
+  commands::setPerson(document_, {human::Sex::female, 1.628, 65.8});
+  EXPECT_EQ(editor<ElidedLabel>("person")->text(), "woman, 162.8 cm, 65.8 kg");
+}
+
 TEST_F(Properties, TheFormScrollsAndNeverWidensThePanel) {
   study::Study study = document_.study();
   study.organs[0].description = std::string(400, 'x') + " a long word";

@@ -165,6 +165,11 @@ void setStudyDescription(StudyDocument& document, const std::string& text) {
          Text::tr("Description of the study"));
 }
 
+void setPerson(StudyDocument& document, const human::Person& person) {
+  LORICA_CHECK(std::holds_alternative<study::Builtin>(document.study().human.from), "a study of the built-in human");
+  change(document, ofStudy("person", Change::human, &study::Study::person), person, Text::tr("Change the person"));
+}
+
 void setModels(StudyDocument& document, const std::vector<viscera::OrganModel>& models) {
   change(document, ofStudy("models", Change::run, &study::Study::models), once(models), Text::tr("Organ models"));
 }

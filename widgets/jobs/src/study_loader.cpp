@@ -34,6 +34,12 @@ void StudyLoader::abandon() {
   Q_EMIT ended();
 }
 
+void StudyLoader::cancel() {
+  if (job_ != nullptr) {
+    job_->cancel();
+  }
+}
+
 void StudyLoader::schedule() {
   if (job_ != nullptr) {
     again_ = true;
@@ -72,6 +78,11 @@ void StudyLoader::start() {
     } else {
       document_.setProblems(outcome->trouble);
     }
+  });
+  connect(job_.get(), &Job::cancelled, this, [this] {
+    document_.setProblems(
+        {{base::Severity::error, document_.file().string(), "",
+          tr("reading was stopped; undo the last edit, or edit the study, to read it again").toStdString()}});
   });
   connect(job_.get(), &Job::failed, this, [this](const QString& text) {
     document_.setProblems({{base::Severity::error, document_.file().string(), "", text.toStdString()}});

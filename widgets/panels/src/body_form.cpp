@@ -1,7 +1,10 @@
+#include <QPushButton>
+
 #include "item_form_parts.h"
 #include "item_forms.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/models/numbers.h"
+#include "lorica/study/human_study.h"
 
 namespace lorica::panels {
 
@@ -36,6 +39,13 @@ void fillBody(PropertyForm& form) {
   };
   form.section(Text::tr("Body"));
   form.fact({"file", Text::tr("File")}, [&document] { return sourceText(document.study().human); });
+  if (std::holds_alternative<study::Builtin>(document.study().human.from)) {
+    form.fact({"person", Text::tr("Person")}, [&document] { return shown(study::describe(document.study().person)); });
+    auto* change = new QPushButton(Text::tr("Change the person..."));
+    change->setObjectName(QStringLiteral("change_person"));
+    QObject::connect(change, &QPushButton::clicked, &form, &PropertyForm::personRequested);
+    form.row({}, change);
+  }
   form.fact({"size", Text::tr("Size at rest")},
             [&document] {
               if (document.loaded() == nullptr) {

@@ -51,6 +51,7 @@ void PropertiesPanel::rebuild() {
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
   form_ = makeItemForm(document_, *item_, page);
+  connect(form_, &PropertyForm::personRequested, this, &PropertiesPanel::personRequested);
   layout->addWidget(form_);
   layout->addStretch(1);
   setWidget(page);

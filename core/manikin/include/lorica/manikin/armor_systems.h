@@ -51,4 +51,21 @@ struct ArmorSystem {
 /// \throw base::Cancelled
 std::vector<ArmorSystem> armorOf(const Body& body, base::Threads threads, const base::Progress& progress = {});
 
+/// What is known of a piece before there is a body.
+struct PieceFacts {
+  std::string name;
+  armor::Carriage carriage = armor::Carriage::rigid;
+  std::string material;
+  std::optional<double> arealDensity;  ///< kg/m2; none for the helmet, whose area is that of the shell made
+  bool protecting = true;
+};
+
+struct SystemFacts {
+  std::string name;
+  std::vector<PieceFacts> pieces;
+};
+
+/// The systems and pieces that armorOf() makes for a body of the person, in the same order. No mesh is made.
+std::vector<SystemFacts> armorFacts(const human::Person& person);
+
 }  // namespace lorica::manikin

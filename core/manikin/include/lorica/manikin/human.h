@@ -4,6 +4,7 @@
 /// The built-in human, whole: body, motions, organs and armor of a person.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,5 +44,9 @@ Human readHuman(std::string_view bytes, const std::string& name);
 /// same. The folder is $LORICA_CACHE, else lorica in
 /// $XDG_CACHE_HOME or ~/.cache. \throw as makeHuman()
 Human keptHuman(const human::Person& person, base::Threads threads, const base::Progress& progress = {});
+
+/// keptHuman() where that takes no making; nothing otherwise. Cost: reading, some tenths of a second.
+/// \throw base::InputError as checkPerson()
+std::optional<Human> humanIfKept(const human::Person& person);
 
 }  // namespace lorica::manikin

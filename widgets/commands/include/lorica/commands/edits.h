@@ -22,6 +22,9 @@ using document::StudyDocument;
 /// Control characters of the name become spaces.
 void setStudyName(StudyDocument& document, const std::string& name);
 void setStudyDescription(StudyDocument& document, const std::string& text);
+/// Whom the built-in human stands for. \pre the study is one of the built-in human, and a body can be made for the
+/// person (manikin::checkPerson())
+void setPerson(StudyDocument& document, const human::Person& person);
 void setModels(StudyDocument& document, const std::vector<viscera::OrganModel>& models);
 /// 1 to 100000.
 void setTrials(StudyDocument& document, std::uint32_t trials);

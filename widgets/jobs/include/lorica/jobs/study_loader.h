@@ -21,6 +21,8 @@ class StudyLoader : public QObject {
 
   /// The job that loads; null when the loaded study is in step.
   Job* job() const { return job_.get(); }
+  /// Stops reading; the problems then say that the study is not read, until an edit or another study is.
+  void cancel();
   bool isInStep() const { return job_ == nullptr && !again_ && !timer_.isActive(); }
 
  Q_SIGNALS:

@@ -21,6 +21,10 @@ class PropertiesPanel : public QScrollArea {
   PropertyForm* form() const { return form_; }
   QSize sizeHint() const override;
 
+ Q_SIGNALS:
+  /// Another person is wanted for the built-in human.
+  void personRequested();
+
  private:
   void rebuild();
   void refresh();

@@ -105,6 +105,10 @@ class PropertyForm : public QWidget {
   /// Whether values are being read, or the form is about to go: then editors do not write.
   bool isRefreshing() const { return refreshing_; }
 
+ Q_SIGNALS:
+  /// Another person is wanted for the built-in human.
+  void personRequested();
+
  private:
   QDoubleSpinBox* makeSpin(const NumberRange& range);
   void onRefresh(std::function<void()> update);
