@@ -52,7 +52,7 @@ TEST(PersonEdit, IsOneStepThatUndoGivesBackToTheByte) {
 TEST(PersonEdit, IsForTheBuiltInHumanOnly) {
   StudyDocument document;
   study::Study study = study::parseStudy(study::templateText("sample"), "sample");
-  study.human.from = study::InputFile{"body.glb", ""};
+  study.human.from = study::InputFile{"body.glb", "", std::nullopt, std::nullopt};
   document.setStudy(study, "/studies/s.lorica.json");
   EXPECT_THROW(setPerson(document, {human::Sex::female, 1.628, 65.8}), base::CallerError);
 }
