@@ -143,12 +143,12 @@ void blur(Lattice& lattice) {
   }
 }
 
-void untangle(geometry::TriangleMesh& mesh, base::Threads threads) {
+bool untangle(geometry::TriangleMesh& mesh, base::Threads threads) {
   constexpr int rounds = 15;
   for (int round = 0; round < rounds; ++round) {
     const std::vector<geometry::TrianglePair> pairs = geometry::selfIntersections(mesh, threads);
     if (pairs.empty()) {
-      return;
+      return true;
     }
     std::vector<bool> moving(mesh.positions.size());
     for (const geometry::TrianglePair& pair : pairs) {
@@ -183,6 +183,7 @@ void untangle(geometry::TriangleMesh& mesh, base::Threads threads) {
       }
     }
   }
+  return geometry::selfIntersections(mesh, threads).empty();
 }
 
 double volumeBelowZero(const Lattice& lattice) {

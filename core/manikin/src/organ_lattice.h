@@ -47,8 +47,9 @@ void stampTube(Lattice& lattice, std::span<const Station> tube, double reach);
 /// One pass of the weights 1, 2, 1 along each axis: what is thinner than a cell or two goes.
 void blur(Lattice& lattice);
 
-/// Smooths a mesh where it passes through itself, until it does no more or a number of rounds is over.
-void untangle(geometry::TriangleMesh& mesh, base::Threads threads);
+/// Smooths a mesh where it passes through itself, until it does no more or a number of rounds is over. True when it
+/// does no more.
+bool untangle(geometry::TriangleMesh& mesh, base::Threads threads);
 
 /// Volume where the values are negative, m3; the values are distances near zero.
 double volumeBelowZero(const Lattice& lattice);

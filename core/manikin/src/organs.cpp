@@ -157,11 +157,19 @@ class Builder {
       swellSmoothly(by);
       mesh = surfaceOf(lattice, pieces);
     }
-    mesh = evenTriangles(mesh, lattice, recipe.edge * frame_.scale());
-    untangle(mesh, threads_);
-    if (volume > 0.0) {
-      adjustVolume(mesh, volume);
-      untangle(mesh, threads_);
+    // Finer where the triangles were too long for a narrow place.
+    const TriangleMesh surface = std::move(mesh);
+    double edge = recipe.edge * frame_.scale();
+    for (int attempt = 0; attempt < 4; ++attempt, edge *= 0.85) {
+      mesh = evenTriangles(surface, lattice, edge);
+      bool clean = untangle(mesh, threads_);
+      if (volume > 0.0) {
+        adjustVolume(mesh, volume);
+        clean = untangle(mesh, threads_);
+      }
+      if (clean) {
+        break;
+      }
     }
     placed_.push_back(std::move(lattice));
     return mesh;
@@ -199,6 +207,7 @@ class Builder {
 
   Surroundings surroundings() const {
     Surroundings around;
+    around.solids.reserve(placed_.size() + 1);
     for (const Lattice& solid : placed_) {
       around.solids.push_back(&solid);
     }
@@ -216,6 +225,7 @@ class Builder {
     if (recipe.tubes != nullptr) {
       for (const std::vector<Station>& tube : recipe.tubes()) {
         Vessel there;
+        there.stations.reserve(tube.size());
         for (const Station& station : tube) {
           there.stations.push_back({frame_.toBody(station.place), station.radius * scale});
         }

@@ -271,8 +271,7 @@ std::vector<Vessel> vesselRoutes(const Body& body, const AnatomyFrame& frame) {
         return static_cast<std::size_t>(found - vessels.begin());
       }
     }
-    LORICA_CHECK(false, "a vessel's parent stands before it");
-    return std::size_t{0};
+    throw base::InputError("vessels", run, "stands after a vessel that leaves it");
   };
   const auto add = [&](const Course& course, const std::string& end) {
     Vessel vessel{course.run + end, course.artery, std::nullopt, 0, {}};
