@@ -126,8 +126,8 @@ TEST(Tables, KeepTheDefinitionsOfEveryRow) {
       EXPECT_EQ(row.count.shielded, 0U) << key;
     }
   }
-  const auto& body = rows.at("front/plates/dynamic/rest/body/body");
-  const auto& miss = rows.at("front/plates/dynamic/rest/body/miss");
+  const auto& body = rows.at("front/full_torso/dynamic/rest/body/body");
+  const auto& miss = rows.at("front/full_torso/dynamic/rest/body/miss");
   EXPECT_EQ(body.count.any + miss.count.any, body.shots);
 }
 

@@ -570,7 +570,7 @@ TEST_F(Window, OnlyTheBuiltInHumanCanBeAnotherPerson) {
   Q_EMIT menu->aboutToShow();
   EXPECT_TRUE(action->isEnabled());
   study::Study study = window_.document().study();
-  study.human.from = study::InputFile{"body.glb", ""};
+  study.human.from = study::InputFile{"body.glb", "", std::nullopt, std::nullopt};
   window_.document().setStudy(study, file_.toStdString());
   Q_EMIT menu->aboutToShow();
   EXPECT_FALSE(action->isEnabled());

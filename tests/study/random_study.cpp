@@ -212,8 +212,8 @@ Study makeStudy() {
   study.description = freeText();
   study.human = anyMesh();
   if (std::holds_alternative<Builtin>(study.human.from)) {
-    study.person = {coin() ? human::Sex::female : human::Sex::male, 1.4 + std::abs(anyNumber(0.5)),
-                    50.0 + std::abs(anyNumber(50.0))};
+    study.person = {coin() ? human::Sex::female : human::Sex::male, 1.4 + std::min(std::abs(anyNumber(0.5)), 1.0),
+                    50.0 + std::min(std::abs(anyNumber(50.0)), 100.0)};
   } else if (coin()) {
     study.jointRoles = {{uniqueName("role", 0), {uniqueName("joint", 0)}},
                         {uniqueName("role", 1), {uniqueName("joint", 1), uniqueName("joint", 2)}}};

@@ -20,12 +20,13 @@ constexpr double kStill = 1e-9;
 }  // namespace
 
 Arm Arm::operator+(const Arm& other) const {
-  return {clavicle + other.clavicle, shoulder + other.shoulder,   elbow + other.elbow,
+  return {clavicle + other.clavicle, blade + other.blade,         shoulder + other.shoulder, elbow + other.elbow,
           wrist + other.wrist,       pronation + other.pronation, fingers + other.fingers};
 }
 
 Arm Arm::operator*(double factor) const {
-  return {clavicle * factor, shoulder * factor, elbow * factor, wrist * factor, pronation * factor, fingers * factor};
+  return {clavicle * factor, blade * factor,     shoulder * factor, elbow * factor,
+          wrist * factor,    pronation * factor, fingers * factor};
 }
 
 Leg Leg::operator+(const Leg& other) const {
@@ -57,24 +58,6 @@ Attitude Attitude::operator*(double factor) const {
           {arms[0] * factor, arms[1] * factor},
           {legs[0] * factor, legs[1] * factor}};
 }
-
-namespace {
-
-/// Degrees from the hanging arm.
-double elevation(const JointAngles& shoulder) {
-  return base::degrees(std::acos(
-      std::clamp(std::cos(radians(shoulder.flexion)) * std::cos(radians(shoulder.abduction)), -1.0, 1.0)));
-}
-
-/// The shoulder blade takes a third of what the arm is raised beyond rest (scapulohumeral rhythm 2:1, joint table); it
-/// sets in gently.
-double scapularTurn(const JointAngles& shoulder, const JointAngles& atRest) {
-  constexpr double onset = 10.0;
-  const double raised = std::max(elevation(shoulder) - elevation(atRest), 0.0);
-  return raised * raised / (raised + onset) / 3.0;
-}
-
-}  // namespace
 
 Figure::Figure(const human::Skeleton& skeleton, const human::RoleMap& roles, const TaskOptions& options)
     : skeleton_(skeleton), roles_(roles), frames_(skeleton, roles), partOf_(skeleton.size()), options_(options) {
@@ -155,7 +138,7 @@ JointAngles Figure::anglesOf(const Part& part, const Attitude& attitude) const {
       const auto girdle = roles_.joints(Role::clavicle, part.side);
       JointAngles angles = arm.clavicle * (1.0 / static_cast<double>(girdle.size()));
       if (girdle.size() > 1 && part.joint == girdle.back()) {
-        angles.abduction += scapularTurn(arm.shoulder, rest_.arms[placeOf(part.side)].shoulder);
+        angles.abduction += arm.blade;
       }
       return angles;
     }

@@ -24,6 +24,7 @@ inline std::size_t placeOf(Side side) {
 
 struct Arm {
   JointAngles clavicle;
+  double blade = 0.0;  ///< upward rotation of the shoulder blade, where it has a joint of its own
   JointAngles shoulder;
   JointAngles elbow;  ///< flexion and, at rest only, the carrying angle
   JointAngles wrist;

@@ -285,6 +285,7 @@ Task armRaise() {
   const Curve flexion = tableCurve(motion, "shoulder, both", "flexion");
   const Curve abduction = tableCurve(motion, "shoulder, both", "abduction");
   const Curve girdle = tableCurve(motion, "sternoclavicular, both", "elevation");
+  const Curve blade = tableCurve(motion, "acromioclavicular, both", "upward rotation");
   const Curve thoracic = tableCurve(motion, "thoracic_total", "extension");
   return {motion, 3.0, 30.0, [=](const Figure& figure, double u) {
             Attitude attitude;
@@ -293,6 +294,7 @@ Task armRaise() {
             setArms(attitude, {flexion.at(s), abduction.at(s), 0.0}, 0.0);
             for (Arm& arm : attitude.arms) {
               arm.clavicle.abduction = girdle.at(s);
+              arm.blade = blade.at(s);
             }
             addRest(figure, attitude, restLeft(u));
             standOnTable(figure, attitude, u, 0.0, 0.0);
