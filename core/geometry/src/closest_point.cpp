@@ -82,6 +82,11 @@ std::vector<std::array<Vec3d, 3>> sideNormals(const std::vector<Triangle>& trian
 Vec3d closestBarycentric(const Vec3d& query, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const Vec3d ab = b - a;
   const Vec3d ac = c - a;
+  // Corners in a line but for rounding: the regions below would be decided by it.
+  constexpr double thin = 1e-24;
+  if (ab.cross(ac).squaredNorm() <= thin * ab.squaredNorm() * ac.squaredNorm()) {
+    return onLongestSide(query, a, b, c);
+  }
   const Vec3d ap = query - a;
   const double d1 = ab.dot(ap);
   const double d2 = ac.dot(ap);
@@ -113,9 +118,6 @@ Vec3d closestBarycentric(const Vec3d& query, const Vec3d& a, const Vec3d& b, con
     return onSide(query, b, c, 1, 2);
   }
   const double total = va + vb + vc;
-  if (!(total > 0.0)) {
-    return onLongestSide(query, a, b, c);
-  }
   const double v = vb / total;
   const double w = vc / total;
   return {std::max(1.0 - v - w, 0.0), v, w};
