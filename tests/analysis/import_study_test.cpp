@@ -12,6 +12,7 @@
 #include "lorica/base/files.h"
 #include "lorica/geometry/primitives.h"
 #include "lorica/io/import.h"
+#include "lorica/io/model_writer.h"
 #include "lorica/study/study_file.h"
 
 namespace lorica::analysis {
@@ -209,6 +210,28 @@ TEST(InjuryClass, FollowsBreezeAndOthers) {
   EXPECT_EQ(injuryClassOf("small_intestine"), "desirable");
   EXPECT_EQ(injuryClassOf("spinal_cord"), "desirable");
   EXPECT_EQ(injuryClassOf("bladder"), "");
+}
+
+TEST_F(Import, ArmorWhoseFileSaysThatItDoesNotProtectIsLeftOut) {
+  const auto mesh = geometry::ellipsoid({0, 1, 0}, {1.0, 1.0, 1.0}, 3);
+  const auto piece = [&](const std::string& name, std::vector<bool> protects) {
+    io::RiggedModel model;
+    for (const bool part : protects) {
+      model.meshes.push_back({{part ? "shell" : "cover", "armor", mesh.positions, mesh.triangles}, nullptr, part});
+    }
+    const fs::path file = folder_ / (name + ".glb");
+    base::writeFileAtomically(file, io::modelBytes(model));
+    return file;
+  };
+  ImportRequest wanted = request();
+  wanted.armor = {{"covers", piece("satchel", {false})},
+                  {"mixed", piece("satchel_2", {false})},
+                  {"mixed", piece("vest", {true, false})}};
+  const ImportedStudy imported = importStudy(wanted, {});
+  ASSERT_EQ(imported.study.systems.size(), 1U) << "a system without a piece that protects is none";
+  ASSERT_EQ(imported.study.systems[0].pieces.size(), 1U);
+  EXPECT_EQ(imported.study.systems[0].pieces[0].name, "vest");
+  EXPECT_EQ(imported.study.systems[0].pieces[0].nonProtecting, std::vector<std::string>{"cover"});
 }
 
 }  // namespace

@@ -23,7 +23,6 @@ using human::Channel;
 using human::ChannelPath;
 using human::Interpolation;
 using human::JointIndex;
-using io::ModelMesh;
 using io::RiggedModel;
 
 /// A skin on joints, with clips. Not to be copied: the model points into it.
@@ -219,7 +218,7 @@ TEST(ModelWriter, SkinnedAndPlainMeshesStandBesideEachOther) {
 }
 
 TEST(ModelWriter, RefusesWhatCannotBeWritten) {
-  const auto writes = [](Rig rig) { return io::modelBytes(rig.model()); };
+  const auto writes = [](const Rig& rig) { return io::modelBytes(rig.model()); };
   Rig strayJoint = post();
   strayJoint.weights.joints[0] = 2;
   EXPECT_THROW(writes(strayJoint), base::CallerError);

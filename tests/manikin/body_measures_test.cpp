@@ -13,7 +13,6 @@ namespace lorica::manikin {
 namespace {
 
 using geometry::Vec3d;
-using human::Person;
 using human::Sex;
 
 std::map<std::string, BodyMeasure> measuresOf(const Body& body) {
