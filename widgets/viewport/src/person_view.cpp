@@ -14,6 +14,7 @@
 #include <vtkTextProperty.h>
 
 #include <QEvent>
+#include <QSurfaceFormat>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -89,6 +90,10 @@ PersonView::PersonView(QWidget* parent) : QWidget(parent), impl_(std::make_uniqu
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   impl_->widget = new Canvas(this);
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  impl_->widget->setFormat(format);
+  impl_->window->SetMultiSamples(0);
   impl_->widget->setRenderWindow(impl_->window);
   // Nothing to turn here; the wheel and the keys are the dialog's.
   impl_->widget->setAttribute(Qt::WA_TransparentForMouseEvents);
