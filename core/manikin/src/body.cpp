@@ -19,8 +19,9 @@ void checkPerson(const human::Person& person, const PersonLimits& limits) {
                                        limits.greatestStature, person.stature));
   }
   const double perBmi = person.stature * person.stature;
-  const double least = limits.leastBmi * perBmi;
-  const double greatest = limits.greatestBmi * perBmi;
+  // A limit that was rounded once is still within.
+  const double least = limits.leastBmi * perBmi * (1.0 - 1e-12);
+  const double greatest = limits.greatestBmi * perBmi * (1.0 + 1e-12);
   if (!(person.mass >= least && person.mass <= greatest)) {
     throw base::InputError("", "mass",
                            fmt::format("expected {:.0f} to {:.0f} kg for a stature of {:.2f} m, found {:.4g} kg",

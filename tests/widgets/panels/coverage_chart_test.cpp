@@ -85,7 +85,7 @@ TEST_P(EachMeasure, BarsAreTheRowsValuesAndTheIntervalsWilsons) {
   chart_.setMeasure(GetParam());
   const FigureData& data = chart_.figure().data();
   ASSERT_EQ(data.series.size(), 2U);
-  ASSERT_EQ(data.categories.size(), 11U);
+  ASSERT_EQ(data.categories.size(), 17U);
   int positive = 0;
   for (std::size_t s = 0; s < data.series.size(); ++s) {
     const QBarSet& bars = *chart_.figure().bars().barSets()[static_cast<qsizetype>(s)];
@@ -138,7 +138,7 @@ TEST_F(CoverageChartTest, SaysWhatItShows) {
 TEST_F(CoverageChartTest, CopiesTheNumbersOfItsBars) {
   chart_.setMeasure(ChartMeasure::coverage);
   const QList<QByteArray> lines = chart_.csv().split('\n');
-  ASSERT_EQ(lines.size(), 1 + 22 + 1);
+  ASSERT_EQ(lines.size(), 1 + 34 + 1);
   for (qsizetype i = 1; i <= 22; ++i) {
     const QList<QByteArray> fields = lines[i].split(',');
     const ResultRow& row = rowOf(fields[3].toStdString(), fields[4].toStdString());
@@ -191,7 +191,7 @@ TEST_F(CoverageChartTest, PrintsIntervalsInk) {
     }
     return least;
   };
-  EXPECT_LT(darkest(line.x1()), 60);
+  EXPECT_LT(darkest(line.x1()), 70);
   EXPECT_GT(darkest(line.x1() + 8.0), 80);
 }
 
@@ -207,7 +207,7 @@ TEST_F(CoverageChartTest, KeepsOrgansWithoutAHitAndSaysThatTheyHaveNoCoverage) {
   }
   chart_.setRun(record);
   const FigureData& data = chart_.figure().data();
-  ASSERT_EQ(data.categories.size(), 11U);
+  ASSERT_EQ(data.categories.size(), 17U);
   ASSERT_EQ(data.categories[4], "spleen");
   EXPECT_EQ(data.series[0].bars[4].value, 0.0);
   EXPECT_FALSE(data.series[0].bars[4].interval.has_value());

@@ -200,7 +200,8 @@ TEST_F(Properties, ColourGoesBackToTheDefault) {
 
 TEST_F(Properties, WhatAPieceIsMadeOfIsKeptForTheRecordAndCanBeTakenBack) {
   select(ItemKind::piece, "plate_front");
-  const auto piece = [this]() -> const study::ArmorPiece& { return document_.study().systems[0].pieces[0]; };
+  ASSERT_EQ(document_.study().systems[0].pieces[8].name, "plate_front");
+  const auto piece = [this]() -> const study::ArmorPiece& { return document_.study().systems[0].pieces[8]; };
   const study::Study before = document_.study();
   auto* material = editor<QLineEdit>("material");
   material->setFocus();
@@ -232,7 +233,7 @@ TEST_F(Properties, EveryEditorOfAPiecePushesOneCommand) {
         QApplication::sendEvent(parts, &out);
       },
       [parts] { return parts->toPlainText(); });
-  EXPECT_EQ(document_.study().systems[0].pieces[0].nonProtecting, (std::vector<std::string>{"strap*", "pouch"}));
+  EXPECT_EQ(document_.study().systems[0].pieces[8].nonProtecting, (std::vector<std::string>{"strap*", "pouch"}));
   expectCheckEdit("visible");
 }
 
