@@ -40,7 +40,8 @@ class Studio {
     window_.show();
   }
 
-  void show(const Study& study) {
+  void show(Study study) {
+    study.sources.clear();  // their marks would cross the person
     const QString file = folder_ + "/shown.lorica.json";
     lorica::study::saveStudy(study, file.toStdString());
     window_.openFile(file);
@@ -136,7 +137,7 @@ void takeMotions(Studio& studio) {
                                                                    {"squat@1.75", StandardView::left},
                                                                    {"kneel_aim@2.5", StandardView::left},
                                                                    {"prone_aim@3.5", StandardView::left},
-                                                                   {"arm_raise@1.5", StandardView::front},
+                                                                   {"arm_raise@1.75", StandardView::front},
                                                                    {"walk@0.3", StandardView::left},
                                                                    {"sit@2", StandardView::left}};
   for (const auto& [pose, side] : extremes) {

@@ -279,7 +279,7 @@ TEST(OrgansOfTheMedianMan, LieWhereAnAnatomistLooksForThem) {
   EXPECT_LT(man.centre("kidney_left").z(), disc);
   EXPECT_GT(man.centre("small_intestine").z(), disc + 0.05);
   EXPECT_GT(man.centre("bladder").z(), man.centre("large_intestine").z());
-  EXPECT_NEAR(man.box("spinal_cord").min().y(), man.joint("spine_L1L2").y(), 0.01);
+  EXPECT_NEAR(man.box("spinal_cord").min().y(), man.joint("spine_L1L2").y(), 0.015);
   EXPECT_NEAR(man.box("spinal_cord").max().y(), man.joint("head_C0C1").y(), 0.02);
   EXPECT_LT(man.box("spinal_cord").max().z(), man.joint("head_C0C1").z());
   // The colon frames the bowel.

@@ -287,7 +287,7 @@ Task armRaise() {
   const Curve girdle = tableCurve(motion, "sternoclavicular, both", "elevation");
   const Curve blade = tableCurve(motion, "acromioclavicular, both", "upward rotation");
   const Curve thoracic = tableCurve(motion, "thoracic_total", "extension");
-  return {motion, 3.0, 30.0, [=](const Figure& figure, double u) {
+  return {motion, 3.5, 30.0, [=](const Figure& figure, double u) {
             Attitude attitude;
             const double s = upHoldDown(u);
             attitude.thoracic.flexion = -thoracic.at(s);

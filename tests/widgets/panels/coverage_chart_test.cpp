@@ -89,7 +89,7 @@ TEST_P(EachMeasure, BarsAreTheRowsValuesAndTheIntervalsWilsons) {
   int positive = 0;
   for (std::size_t s = 0; s < data.series.size(); ++s) {
     const QBarSet& bars = *chart_.figure().bars().barSets()[static_cast<qsizetype>(s)];
-    ASSERT_EQ(bars.count(), 11) << "organs without a hit stay";
+    ASSERT_EQ(bars.count(), 17) << "organs without a hit stay";
     for (std::size_t c = 0; c < data.categories.size(); ++c) {
       const auto [value, interval] = expected(rowOf(data.categories[c], data.series[s].model), GetParam());
       EXPECT_NEAR(bars.at(static_cast<int>(c)), value, 1e-9);

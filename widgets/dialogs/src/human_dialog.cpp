@@ -36,10 +36,15 @@ double toTenth(double value) {
 }
 /// The lightest and the heaviest person of a stature, tenths of a kilogram.
 double leastMass(double stature) {
-  return std::ceil(10.0 * limits.leastBmi * stature * stature) / 10.0;
+  const double least = limits.leastBmi * (stature * stature);
+  const double tenths = std::ceil(10.0 * least);
+  // A tenth is no binary fraction: what is a limit by its digits may lie just beyond it.
+  return (tenths / 10.0 < least ? tenths + 1.0 : tenths) / 10.0;
 }
 double greatestMass(double stature) {
-  return std::floor(10.0 * limits.greatestBmi * stature * stature) / 10.0;
+  const double greatest = limits.greatestBmi * (stature * stature);
+  const double tenths = std::floor(10.0 * greatest);
+  return (tenths / 10.0 > greatest ? tenths - 1.0 : tenths) / 10.0;
 }
 
 human::Person rounded(const human::Person& person) {

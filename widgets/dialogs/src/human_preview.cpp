@@ -45,7 +45,7 @@ HumanPreview::HumanPreview(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(0, 0, 0, 0);
   view_ = new viewport::PersonView(this);
   view_->setObjectName(QStringLiteral("person_view"));
-  view_->setMinimumSize(fontMetrics().averageCharWidth() * 56, fontMetrics().height() * 20);
+  view_->setMinimumSize(fontMetrics().averageCharWidth() * 56, fontMetrics().height() * 25);
   column->addWidget(view_, 1);
   auto* row = new QHBoxLayout;
   column->addLayout(row);
