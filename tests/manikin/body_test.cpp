@@ -277,7 +277,7 @@ TEST(Body, OfEveryJointMovesSomethingButTheEyes) {
   const Body& body = bodyOf({});
   std::vector<bool> moves(body.skeleton.size(), false);
   for (std::size_t i = 0; i < body.weights.joints.size(); ++i) {
-    if (body.weights.weights[i] > 0.2F) {
+    if (body.weights.weights[i] > 0.1F) {
       moves[body.weights.joints[i]] = true;
     }
   }
