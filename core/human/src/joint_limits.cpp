@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "lorica/base/table.h"
 #include "lorica/base/error.h"
+#include "lorica/base/table.h"
 
 namespace lorica::human {
 

@@ -16,9 +16,8 @@ namespace lorica::study {
 inline constexpr auto studyKeys = std::to_array<std::string_view>(
     {"lorica_study", "name", "description", "human", "organs", "armor", "poses", "run_poses", "sources", "models",
      "trials", "seed", "site_spacing_mm", "skinning", "display"});
-inline constexpr auto humanKeys =
-    std::to_array<std::string_view>({"file", "sha256", "units", "up", "builtin", "parts", "sex", "stature_m", "mass_kg",
-                                     "joint_roles"});
+inline constexpr auto humanKeys = std::to_array<std::string_view>(
+    {"file", "sha256", "units", "up", "builtin", "parts", "sex", "stature_m", "mass_kg", "joint_roles"});
 inline constexpr auto organKeys = std::to_array<std::string_view>(
     {"name", "description", "file", "sha256", "units", "up", "builtin", "parts", "class", "joint", "lattice"});
 inline constexpr auto latticeKeys = std::to_array<std::string_view>({"layout", "cells", "cell_mm", "prune"});
