@@ -11,6 +11,7 @@
 
 #include "lorica/base/error.h"
 #include "lorica/base/table.h"
+#include "lorica/geometry/intersections.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/mesh_audit.h"
 #include "lorica/geometry/winding.h"
@@ -159,6 +160,7 @@ void BodyOfPercentile::isOneClosedManifoldOfEvenTriangles() const {
   EXPECT_EQ(audit.oddEdges, 0u);
   EXPECT_EQ(audit.degenerateTriangles, 0u);
   EXPECT_GT(geometry::signedVolume(skin), 0.0);
+  EXPECT_TRUE(geometry::selfIntersections(skin, {}).empty());
   // Euler characteristic 2: no arm is fused to the trunk, no finger to another, no thigh to the other.
   const auto vertices = static_cast<long>(skin.positions.size());
   const auto faces = static_cast<long>(skin.triangles.size());
