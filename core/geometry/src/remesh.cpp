@@ -74,7 +74,7 @@ class HalfEdgeMesh {
 HalfEdgeMesh::HalfEdgeMesh(const TriangleMesh& mesh) {
   points.reserve(mesh.positions.size());
   for (const Vec3f& p : mesh.positions) {
-    points.push_back(p.cast<double>());
+    points.emplace_back(p.cast<double>());
   }
   out.assign(points.size(), kNone);
   to.resize(3 * mesh.triangles.size());
@@ -112,7 +112,7 @@ void HalfEdgeMesh::split(Id h, const Vec3d& place) {
   const Id bcTwin = twin[bc];
   const Id adTwin = twin[ad];
   const auto m = static_cast<Id>(points.size());
-  points.push_back(place);
+  points.emplace_back(place);
   const auto h1 = static_cast<Id>(to.size());  // m -> b, b -> c, c -> m
   const Id g1 = h1 + 3;                        // m -> a, a -> d, d -> m
   to.insert(to.end(), {b, c, m, a, d, m});

@@ -82,7 +82,7 @@ struct BodyJoints {
 
 BodyJoints bodyJoints(const Anthropometry& sizes);
 
-/// \pre joints are of the same person as the skin the skeleton is for
-human::Skeleton bodySkeleton(const BodyJoints& joints);
+/// \pre places are of the same person as the skin the skeleton is for
+human::Skeleton bodySkeleton(const BodyJoints& places);
 
 }  // namespace lorica::manikin

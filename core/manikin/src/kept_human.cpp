@@ -10,8 +10,8 @@
 
 // The median man, put into the program at build time.
 extern "C" {
-extern const char lorica_median_human[];
-extern const char lorica_median_human_end[];
+extern const char loricaMedianHuman[];
+extern const char loricaMedianHumanEnd[];
 }
 
 namespace lorica::manikin {
@@ -50,7 +50,7 @@ std::filesystem::path fileFor(const human::Person& person) {
 std::optional<Human> humanIfKept(const human::Person& person) {
   checkPerson(person);
   if (person == human::Person{}) {
-    return readHuman({lorica_median_human, static_cast<std::size_t>(lorica_median_human_end - lorica_median_human)},
+    return readHuman({loricaMedianHuman, static_cast<std::size_t>(loricaMedianHumanEnd - loricaMedianHuman)},
                      "the built-in human");
   }
   const std::filesystem::path file = fileFor(person);
