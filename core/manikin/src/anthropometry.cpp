@@ -1,10 +1,5 @@
 #include "anthropometry.h"
 
-#include <fmt/format.h>
-
-#include <span>
-#include <utility>
-
 #include "lorica/base/table.h"
 #include "tables.h"
 

@@ -27,10 +27,10 @@ class Fitter {
     const auto trunk = [&](const Vec3d& p) { return body.withoutArms(p); };
     const auto leg = [&](const Vec3d& p) { return p.x() > 0.0 ? body.withoutArms(p) : 1.0; };
     const auto arm = [&](const Vec3d& p) { return body.arm(p); };
-    // The survey's chest is so narrow for its girth that only a box would have both; the tolerance is shared out.
     const double lean = std::clamp((fit.flesh - 1.0) / kFullLeeway, -1.0, 1.0);
     const double more = 1.0 + lean * leeway_;
     const double chest = 1.0 + lean * std::max(leeway_ - kLeast, 0.0);
+    // The survey's chest is so narrow for its girth that only a box would have both; the tolerance is shared out.
     belt(fit.chest, tapeAround(trunk, level("chestheight")), "chest", 1.026 * chest, 0.978 * chest);
     belt(fit.waist, tapeAround(trunk, level("waistheightomphalion")), "waist", more, more);
     belt(fit.hip, tapeAround(trunk, level("buttockheight")), "hip", more, more);
