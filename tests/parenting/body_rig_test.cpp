@@ -91,5 +91,12 @@ TEST(Strays, TellHowManyPointsAreOnTheWrongSideOfTheSkinAndHowFar) {
   EXPECT_NEAR(inside.farthest, 0.15, 2e-3);
 }
 
+TEST(Strays, PointsOfTheSkinItselfAreOnNeitherSide) {
+  const BodyRig rig(bendingBody(), {}, {});
+  const geometry::Positions& skin = rig.body().skin.positions;
+  EXPECT_EQ(outsideSkin(skin, rig, {}).strayed, 0U);
+  EXPECT_EQ(insideSkin(skin, rig, {}).strayed, 0U);
+}
+
 }  // namespace
 }  // namespace lorica::parenting

@@ -13,6 +13,10 @@ Strays strays(std::span<const geometry::Vec3f> points, const BodyRig& body, bool
     raycast::Caster caster(body.restScene());
     for (std::size_t i = begin; i < end; ++i) {
       const geometry::Vec3d point = points[i].cast<double>();
+      // A ray from a point of the skin decides nothing, and would be traced again against every triangle.
+      if (raycast::closestPoint(body.restScene(), point, onSkin)) {
+        continue;
+      }
       const bool inside = raycast::windingNumber(caster, body.skinMesh(), point) >= 1;
       if (inside != shouldBeInside) {
         const auto nearest = raycast::closestPoint(body.restScene(), point);
