@@ -41,13 +41,14 @@ class HalfEdges {
  public:
   struct HalfEdge {
     std::uint32_t high;        // the higher vertex
-    std::uint32_t sideAndWay;  // packed: the array is what an audit spends its time on
+    std::uint32_t sideAndWay;  // packed: the array is what an audit spends its time on; odd: from the lower vertex
 
     HalfEdge() = default;
     HalfEdge(std::uint32_t higher, std::size_t side, bool fromLower)
         : high(higher), sideAndWay(static_cast<std::uint32_t>(2 * side + (fromLower ? 1 : 0))) {}
-    std::size_t side() const { return sideAndWay / 2; }   // 3 * triangle + side
-    bool forward() const { return sideAndWay % 2 == 1; }  // from the lower vertex to the higher one
+    std::size_t side() const { return sideAndWay / 2; }  // 3 * triangle + side
+    /// What one use adds to the tally of its edge.
+    std::int64_t tally() const { return 1 + ((std::int64_t{sideAndWay % 2} * 2 - 1) << 32U); }
   };
 
   explicit HalfEdges(const TriangleMesh& mesh) : begin_(mesh.positions.size() + 1, 0) {
@@ -71,33 +72,45 @@ class HalfEdges {
 
   /// Counts the edges and marks the open ones in `audit`, whose components are known.
   void judge(MeshAudit& audit) const {
-    std::vector<Tally> tallies(begin_.size() - 1);  // of the edges from one lower vertex, per higher vertex
+    std::vector<Tally> tallies(begin_.size() - 1, 0);  // of the edges from one lower vertex, per higher vertex
     for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
       const std::span<const HalfEdge> bucket(edges_.data() + begin_[v], begin_[v + 1] - begin_[v]);
       for (const HalfEdge& edge : bucket) {
-        ++tallies[edge.high].uses;
-        tallies[edge.high].balance += edge.forward() ? 1 : -1;
+        tallies[edge.high] += edge.tally();
+      }
+      bool paired = true;
+      for (const HalfEdge& edge : bucket) {
+        paired = paired && tallies[edge.high] == 2;
+      }
+      if (!paired) {
+        judgeOdd(bucket, tallies, audit);
       }
       for (const HalfEdge& edge : bucket) {
-        if (tallies[edge.high].balance != 0) {
-          audit.openEdge[edge.side()] = true;
-          audit.components[audit.componentOf[edge.side() / 3]].closed = false;
-        }
-      }
-      for (const HalfEdge& edge : bucket) {
-        Tally& tally = tallies[edge.high];
-        audit.boundaryEdges += tally.uses == 1 ? 1 : 0;
-        audit.oddEdges += (tally.uses > 2 || (tally.uses == 2 && tally.balance != 0)) ? 1 : 0;
-        tally = {};  // so that every edge counts once and the next vertex finds nothing
+        tallies[edge.high] = 0;  // so that the next vertex finds nothing
       }
     }
   }
 
  private:
-  struct Tally {
-    std::uint32_t uses = 0;
-    std::int32_t balance = 0;  // uses from the lower vertex less those to it
-  };
+  /// Uses of an edge, plus 2^32 times those from its lower vertex less those to it: 2 for an edge of a closed surface.
+  using Tally = std::int64_t;
+
+  static void judgeOdd(std::span<const HalfEdge> bucket, std::vector<Tally>& tallies, MeshAudit& audit) {
+    const auto uses = [](Tally tally) { return static_cast<std::uint32_t>(tally); };
+    for (const HalfEdge& edge : bucket) {
+      if (tallies[edge.high] != uses(tallies[edge.high])) {
+        audit.openEdge[edge.side()] = true;
+        audit.components[audit.componentOf[edge.side() / 3]].closed = false;
+      }
+    }
+    for (const HalfEdge& edge : bucket) {
+      Tally& tally = tallies[edge.high];
+      audit.boundaryEdges += uses(tally) == 1 ? 1 : 0;
+      audit.oddEdges += (uses(tally) > 2 || (uses(tally) == 2 && tally != 2)) ? 1 : 0;
+      tally = 0;  // so that every edge counts once
+    }
+  }
+
   std::vector<std::uint32_t> begin_;  // per vertex, into edges_
   std::vector<HalfEdge> edges_;
 };
