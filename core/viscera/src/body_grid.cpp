@@ -1,6 +1,7 @@
 #include "body_grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "lorica/geometry/measures.h"
@@ -13,23 +14,25 @@ using geometry::Vec3f;
 
 namespace {
 
-constexpr int samples = 4;  // along each axis of a cell
+constexpr int samples = samplesPerEdge;
 
-/// The points of a column of samples, from `low` to `high` metres above the grid's floor, counted into their cells.
+constexpr std::uint64_t bit(int x, int y, int z) {
+  return std::uint64_t{1} << static_cast<unsigned>(x + samples * (y + samples * z));
+}
+
+/// A column of samples along z.
 struct Column {
   const BodyGrid& grid;
-  CellFill& fill;
-  int i, j;
-  float x, y;  // fractions
+  Samples& inside;
+  int x, y;  // samples from the grid's low corner
 
-  void add(double low, double high) const {
+  /// Marks the samples from `low` to `high` metres above the grid's floor.
+  void mark(double low, double high) const {
     const double step = grid.cell / samples;
     const int first = std::max(0, static_cast<int>(std::ceil(low / step - 0.5)));
     const int end = std::min(samples * grid.cells[2], static_cast<int>(std::ceil(high / step - 0.5)));
     for (int s = first; s < end; ++s) {
-      const std::size_t cell = grid.index(i, j, s / samples);
-      fill.share[cell] += 1.0F;
-      fill.centroid[cell] += Vec3f(x, y, (static_cast<float>(s % samples) + 0.5F) / samples);
+      inside[grid.index(x / samples, y / samples, s / samples)] |= bit(x % samples, y % samples, s % samples);
     }
   }
 };
@@ -47,7 +50,7 @@ void sampleColumn(const Column& column, raycast::Caster& caster, const Vec3f& st
       entered = hit.t;
     } else if (before >= 1 && winding < 1) {
       const double floor = column.grid.origin.z() - static_cast<double>(start.z());
-      column.add(entered - floor, hit.t - floor);
+      column.mark(entered - floor, hit.t - floor);
     }
   }
 }
@@ -85,13 +88,11 @@ std::optional<BodyGrid::Spot> BodyGrid::locate(const Vec3f& point) const {
               (scaled - low).cast<float>()};
 }
 
-CellFill cellFill(const BodyGrid& grid, const geometry::Positions& positions,
-                  const std::shared_ptr<const raycast::MeshTopology>& topology, base::Threads threads) {
-  CellFill fill;
-  fill.share.assign(grid.size(), 0.0F);
-  fill.centroid.assign(grid.size(), Vec3f::Zero());
+Samples samplesInside(const BodyGrid& grid, const geometry::Positions& positions,
+                      const std::shared_ptr<const raycast::MeshTopology>& topology, base::Threads threads) {
+  Samples inside(grid.size(), 0);
   if (std::none_of(topology->closed.begin(), topology->closed.end(), [](bool closed) { return closed; })) {
-    return fill;
+    return inside;
   }
   raycast::Scene scene(raycast::SceneUse::manyRays);
   scene.add(positions, topology);
@@ -99,6 +100,7 @@ CellFill cellFill(const BodyGrid& grid, const geometry::Positions& positions,
   const geometry::Box3d box = geometry::bounds(positions);
   const double step = grid.cell / samples;
   const auto start = static_cast<float>(std::min(box.min().z(), grid.origin.z()) - grid.cell);
+  // A range holds whole cells: a cell's word belongs to one range.
   base::parallelFor(static_cast<std::size_t>(grid.cells[1]), 1, threads, [&](std::size_t begin, std::size_t end) {
     raycast::Caster caster(scene);
     for (int row = samples * static_cast<int>(begin); row < samples * static_cast<int>(end); ++row) {
@@ -106,44 +108,67 @@ CellFill cellFill(const BodyGrid& grid, const geometry::Positions& positions,
         const double x = grid.origin.x() + (column + 0.5) * step;
         const double y = grid.origin.y() + (row + 0.5) * step;
         if (x >= box.min().x() && x <= box.max().x() && y >= box.min().y() && y <= box.max().y()) {
-          sampleColumn({grid, fill, column / samples, row / samples,
-                        (static_cast<float>(column % samples) + 0.5F) / samples,
-                        (static_cast<float>(row % samples) + 0.5F) / samples},
-                       caster, {static_cast<float>(x), static_cast<float>(y), start});
+          sampleColumn({grid, inside, column, row}, caster, {static_cast<float>(x), static_cast<float>(y), start});
         }
       }
     }
   });
-  for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-    if (fill.share[cell] > 0.0F) {
-      fill.centroid[cell] /= fill.share[cell];
-      fill.share[cell] /= samples * samples * samples;
-    }
-  }
-  return fill;
+  return inside;
 }
 
-void growInside(const BodyGrid& grid, const CellFill& inside, int rings, std::vector<char>& marked) {
-  std::vector<std::size_t> front;
-  for (std::size_t cell = 0; cell < marked.size(); ++cell) {
-    if (marked[cell] != 0) {
-      front.push_back(cell);
+std::uint64_t sampleAt(const Vec3f& fraction) {
+  const auto along = [&](Eigen::Index axis) {
+    return std::clamp(static_cast<int>(fraction[axis] * samples), 0, samples - 1);
+  };
+  return bit(along(0), along(1), along(2));
+}
+
+float share(std::uint64_t set) {
+  return static_cast<float>(std::popcount(set)) / (samples * samples * samples);
+}
+
+Vec3f centroid(std::uint64_t set) {
+  Vec3f sum = Vec3f::Zero();
+  for (int z = 0; z < samples; ++z) {
+    for (int y = 0; y < samples; ++y) {
+      for (int x = 0; x < samples; ++x) {
+        if ((set & bit(x, y, z)) != 0) {
+          sum += Vec3f(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, static_cast<float>(z) + 0.5F);
+        }
+      }
     }
   }
-  for (int ring = 0; ring < rings; ++ring) {
-    std::vector<std::size_t> next;
-    for (const std::size_t cell : front) {
-      const std::array<int, 3> at = grid.place(cell);
+  return sum / (samples * static_cast<float>(std::max(1, std::popcount(set))));
+}
+
+void flood(const BodyGrid& grid, const Samples& inside, int steps, Samples& seeds) {
+  struct Sample {
+    std::array<int, 3> at;
+  };
+  std::vector<Sample> front;
+  for (std::size_t c = 0; c < seeds.size(); ++c) {
+    const std::array<int, 3> cell = grid.place(c);
+    for (int s = 0; seeds[c] != 0 && s < samples * samples * samples; ++s) {
+      if ((seeds[c] >> static_cast<unsigned>(s) & 1U) != 0) {
+        front.push_back({{samples * cell[0] + s % samples, samples * cell[1] + s / samples % samples,
+                          samples * cell[2] + s / (samples * samples)}});
+      }
+    }
+  }
+  for (int step = 0; step < steps; ++step) {
+    std::vector<Sample> next;
+    for (const Sample& sample : front) {
       for (std::size_t side = 0; side < 6; ++side) {
-        std::array<int, 3> beside = at;
-        beside[side / 2] += side % 2 == 0 ? 1 : -1;
-        if (beside[side / 2] < 0 || beside[side / 2] >= grid.cells[side / 2]) {
+        std::array<int, 3> at = sample.at;
+        at[side / 2] += side % 2 == 0 ? 1 : -1;
+        if (at[side / 2] < 0 || at[side / 2] >= samples * grid.cells[side / 2]) {
           continue;
         }
-        const std::size_t neighbour = grid.index(beside[0], beside[1], beside[2]);
-        if (marked[neighbour] == 0 && inside.share[neighbour] > 0.0F) {
-          marked[neighbour] = 1;
-          next.push_back(neighbour);
+        const std::size_t cell = grid.index(at[0] / samples, at[1] / samples, at[2] / samples);
+        const std::uint64_t here = bit(at[0] % samples, at[1] % samples, at[2] % samples);
+        if ((inside[cell] & here) != 0 && (seeds[cell] & here) == 0) {
+          seeds[cell] |= here;
+          next.push_back({at});
         }
       }
     }

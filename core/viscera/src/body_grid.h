@@ -37,17 +37,22 @@ struct BodyGrid {
   std::optional<Spot> locate(const geometry::Vec3f& point) const;
 };
 
-/// How much of every cell lies inside a closed mesh, and where in the cell.
-struct CellFill {
-  std::vector<float> share;               ///< 0 to 1
-  std::vector<geometry::Vec3f> centroid;  ///< of that part, as fractions of the cell; meaningless where share is 0
-};
+/// Which of the 4 x 4 x 4 sample points of every cell lie in something: bit x + 4 y + 16 z of the cell's word.
+using Samples = std::vector<std::uint64_t>;
+inline constexpr int samplesPerEdge = 4;
 
-/// Samples 4 x 4 x 4 points of every cell by rays along z. Inside is a winding of 1 or more of the closed components.
-CellFill cellFill(const BodyGrid& grid, const geometry::Positions& positions,
-                  const std::shared_ptr<const raycast::MeshTopology>& topology, base::Threads threads);
+/// Samples inside a mesh: where its closed components wind around them. Cost: one ray along z for each column.
+Samples samplesInside(const BodyGrid& grid, const geometry::Positions& positions,
+                      const std::shared_ptr<const raycast::MeshTopology>& topology, base::Threads threads);
 
-/// Adds to the marked cells their neighbours face to face that hold some of the inside, `rings` times over.
-void growInside(const BodyGrid& grid, const CellFill& inside, int rings, std::vector<char>& marked);
+/// The sample nearest to a place in a cell.
+std::uint64_t sampleAt(const geometry::Vec3f& fraction);
+
+/// Share of a cell that its samples stand for, and the centroid of that part as fractions of the cell.
+float share(std::uint64_t samples);
+geometry::Vec3f centroid(std::uint64_t samples);
+
+/// Adds the samples of `inside` that are reached from `seeds` within `steps` from sample to sample, face to face.
+void flood(const BodyGrid& grid, const Samples& inside, int steps, Samples& seeds);
 
 }  // namespace lorica::viscera

@@ -18,15 +18,61 @@ namespace {
 
 constexpr std::uint32_t kNone = UINT32_MAX;
 /// Cells of the box around all organs, before the empty ones are left out.
-constexpr double kGridLimit = 4e6;
+constexpr double kGridLimit = 3e5;
 
 /// The organs in a grid, before it is known whether that has few enough cells.
 struct Filling {
   BodyGrid grid;
-  std::vector<char> taken;       ///< per cell of the grid: part of the soft body
-  std::vector<CellFill> organs;  ///< per organ; share 0 everywhere where nothing closes
-  std::vector<float> filled;     ///< per cell: by all organs, 0 to 1
+  std::vector<Samples> organs;             ///< inside each organ; empty words where nothing closes
+  std::vector<float> filled;               ///< per cell: by all organs, 0 to 1
+  std::vector<char> taken;                 ///< per cell: part of the soft body
+  std::vector<std::uint32_t> skinVertices;  ///< those that bound the flesh around the organs
 };
+
+/// The organs' own samples and cells.
+Samples fillWithOrgans(Filling& filling, std::span<const SoftOrgan> organs, base::Threads threads,
+                       const base::Progress& progress) {
+  Samples taken(filling.grid.size(), 0);
+  for (const SoftOrgan& organ : organs) {
+    progress.check();
+    const Samples& inside = filling.organs.emplace_back(
+        samplesInside(filling.grid, organ.mesh->positions, raycast::makeTopology(*organ.mesh), threads));
+    const bool closes = std::any_of(inside.begin(), inside.end(), [](std::uint64_t word) { return word != 0; });
+    for (std::size_t c = 0; c < inside.size(); ++c) {
+      taken[c] |= inside[c];
+      filling.filled[c] = std::min(1.0F, filling.filled[c] + share(inside[c]));
+    }
+    for (const Vec3f& position : organ.mesh->positions) {
+      const BodyGrid::Spot spot = *filling.grid.locate(position);
+      taken[spot.cell] |= sampleAt(spot.fraction);
+      filling.filled[spot.cell] = closes ? filling.filled[spot.cell] : 1.0F;
+    }
+  }
+  return taken;
+}
+
+/// The flesh that reaches the organs without leaving the skin, and the skin that bounds it: a forearm beside the trunk
+/// is no part of it.
+void fillWithFlesh(Filling& filling, Samples taken, const parenting::BodyRig& body, double reach,
+                   base::Threads threads) {
+  const BodyGrid& grid = filling.grid;
+  const geometry::TriangleMesh& skin = body.body().skin;
+  const double step = grid.cell / samplesPerEdge;
+  flood(grid, samplesInside(grid, skin.positions, body.skinTopology(), threads),
+        static_cast<int>(std::lround(reach / step)), taken);
+  for (std::size_t c = 0; c < grid.size(); ++c) {
+    filling.taken[c] = taken[c] != 0 ? 1 : 0;
+  }
+  const std::vector<Vec3f> normals = geometry::vertexNormals(skin.positions, skin.triangles);
+  for (std::size_t v = 0; v < skin.positions.size(); ++v) {
+    const auto spot = grid.locate(skin.positions[v]);
+    const auto below = grid.locate(skin.positions[v] - static_cast<float>(step) * normals[v]);
+    if (spot && below && (taken[below->cell] & sampleAt(below->fraction)) != 0) {
+      filling.skinVertices.push_back(static_cast<std::uint32_t>(v));
+      filling.taken[spot->cell] = 1;
+    }
+  }
+}
 
 Filling fill(std::span<const SoftOrgan> organs, const parenting::BodyRig& body, double cell, double reach,
              base::Threads threads, const base::Progress& progress) {
@@ -34,31 +80,12 @@ Filling fill(std::span<const SoftOrgan> organs, const parenting::BodyRig& body, 
   for (const SoftOrgan& organ : organs) {
     box.extend(geometry::bounds(organ.mesh->positions));
   }
-  const int rings = static_cast<int>(std::ceil(reach / cell));
-  Filling result;
-  result.grid = BodyGrid::over(box, cell, rings);
-  result.taken.assign(result.grid.size(), 0);
-  result.filled.assign(result.grid.size(), 0.0F);
-  for (const SoftOrgan& organ : organs) {
-    progress.check();
-    const auto topology = raycast::makeTopology(*organ.mesh);
-    CellFill& inside =
-        result.organs.emplace_back(cellFill(result.grid, organ.mesh->positions, topology, threads));
-    const bool closes = std::any_of(inside.share.begin(), inside.share.end(), [](float s) { return s > 0.0F; });
-    for (std::size_t c = 0; c < result.grid.size(); ++c) {
-      result.filled[c] = std::min(1.0F, result.filled[c] + inside.share[c]);
-      result.taken[c] = inside.share[c] > 0.0F ? 1 : result.taken[c];
-    }
-    for (const Vec3f& position : organ.mesh->positions) {
-      const std::size_t c = result.grid.locate(position)->cell;
-      result.taken[c] = 1;
-      result.filled[c] = closes ? result.filled[c] : 1.0F;
-    }
-  }
-  const parenting::Body& human = body.body();
-  growInside(result.grid, cellFill(result.grid, human.skin.positions, body.skinTopology(), threads), rings,
-             result.taken);
-  return result;
+  Filling filling;
+  filling.grid = BodyGrid::over(box, cell, static_cast<int>(std::ceil(reach / cell)));
+  filling.taken.assign(filling.grid.size(), 0);
+  filling.filled.assign(filling.grid.size(), 0.0F);
+  fillWithFlesh(filling, fillWithOrgans(filling, organs, threads, progress), body, reach, threads);
+  return filling;
 }
 
 /// Third of the area of the triangles around each vertex, m2.
@@ -148,12 +175,11 @@ void SoftBody::Binding::fillGrid(const SoftBodyOptions& options, const base::Pro
   while ((box.sizes().array() + around + 4.0 * cell).prod() > kGridLimit * cell * cell * cell) {
     cell *= 1.25;
   }
-  for (;; cell *= 1.25) {
+  const auto taken = [&] { return static_cast<std::size_t>(std::count(filling.taken.begin(), filling.taken.end(), 1)); };
+  filling = fill(organs, body, cell, options.reachMetres, threads, progress);
+  while (taken() > options.cellLimit) {
+    cell *= 1.25;
     filling = fill(organs, body, cell, options.reachMetres, threads, progress);
-    const auto taken = static_cast<std::size_t>(std::count(filling.taken.begin(), filling.taken.end(), 1));
-    if (taken <= options.cellLimit) {
-      break;
-    }
   }
   if (cell > options.cellMetres) {
     parts.issues.push_back({base::Severity::note, "", "organs",
@@ -208,11 +234,11 @@ void SoftBody::Binding::embedOrgans() {
       embedding.cellOf.push_back(own[cell]);
       embedding.fraction.push_back(spot.fraction);
     }
-    const CellFill& inside = filling.organs[o];
+    const Samples& inside = filling.organs[o];
     for (std::size_t c = 0; c < filling.grid.size(); ++c) {
-      if (inside.share[c] > 0.0F) {
+      if (inside[c] != 0) {
         parts.organParts.push_back(
-            {static_cast<std::uint32_t>(o), cellNumber[c], volume * inside.share[c], inside.centroid[c]});
+            {static_cast<std::uint32_t>(o), cellNumber[c], volume * share(inside[c]), centroid(inside[c])});
       }
     }
   }
@@ -221,13 +247,11 @@ void SoftBody::Binding::embedOrgans() {
 void SoftBody::Binding::tieToSkin() {
   const geometry::TriangleMesh& skin = body.body().skin;
   const std::vector<double> areas = vertexAreas(skin);
-  for (std::size_t v = 0; v < skin.positions.size(); ++v) {
-    const auto spot = filling.grid.locate(skin.positions[v]);
-    if (spot && cellNumber[spot->cell] != kNone) {
-      parts.skin.push_back({static_cast<std::uint32_t>(v), cellNumber[spot->cell],
-                            kSkin * static_cast<float>(areas[v] / (parts.cell * parts.cell)), spot->fraction,
-                            skin.positions[v]});
-    }
+  for (const std::uint32_t v : filling.skinVertices) {
+    const BodyGrid::Spot spot = *filling.grid.locate(skin.positions[v]);
+    parts.skin.push_back({v, cellNumber[spot.cell],
+                          kSkin * static_cast<float>(areas[v] / (parts.cell * parts.cell)), spot.fraction,
+                          skin.positions[v]});
   }
 }
 
