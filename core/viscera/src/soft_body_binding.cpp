@@ -19,6 +19,8 @@ namespace {
 constexpr std::uint32_t kNone = UINT32_MAX;
 /// Cells of the box around all organs, before the empty ones are left out.
 constexpr double kGridLimit = 3e5;
+/// How far a cell counts as filled that an organ reaches at all.
+constexpr float kLeast = 0.3F;
 
 /// The organs in a grid, before it is known whether that has few enough cells.
 struct Filling {
@@ -45,7 +47,7 @@ Samples fillWithOrgans(Filling& filling, std::span<const SoftOrgan> organs, base
     for (const Vec3f& position : organ.mesh->positions) {
       const BodyGrid::Spot spot = *filling.grid.locate(position);
       taken[spot.cell] |= sampleAt(spot.fraction);
-      filling.filled[spot.cell] = closes ? filling.filled[spot.cell] : 1.0F;
+      filling.filled[spot.cell] = closes ? std::max(kLeast, filling.filled[spot.cell]) : 1.0F;
     }
   }
   return taken;

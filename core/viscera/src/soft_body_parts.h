@@ -7,8 +7,8 @@ namespace lorica::viscera {
 
 using Corners = std::array<std::uint32_t, 8>;
 
-/// How stiff a cell of flesh is; one that an organ fills is 1.
-inline constexpr float kFlesh = 0.1F;
+/// How stiff a cell of flesh is; one that organs fill is 1.
+inline constexpr float kFlesh = 0.2F;
 /// How hard a cell's share of skin pulls.
 inline constexpr float kSkin = 10.0F;
 /// How hard the joints hold each control point: enough to tell where the body goes that no skin holds.

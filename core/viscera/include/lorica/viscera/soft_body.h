@@ -8,7 +8,7 @@
 /// opens and no overlap grows as long as no cell turns inside out. Three things decide where the control points go:
 ///  - the posed skin: every vertex of the skin pulls the place of the lattice where it lies at rest;
 ///  - stiffness: a cell resists every change of its shape but a turn (as-rigid-as-possible, Sorkine and Alexa 2007;
-///    solved by alternating turns and positions as in projective dynamics, Bouaziz et al. 2014). Flesh is ten times
+///    solved by alternating turns and positions as in projective dynamics, Bouaziz et al. 2014). Flesh is five times
 ///    softer than organs and takes up what the skin takes away;
 ///  - pressure: one number per closed organ, found along with the positions, keeps its volume. It is limited: where the
 ///    skin leaves no room, volume gives way before the skin is pierced.
