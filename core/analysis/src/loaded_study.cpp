@@ -227,9 +227,13 @@ void loadOrgans(Loading& loading, const base::Progress& progress) {
 }
 
 /// Joins the organs to one soft body where the study has them deformed so.
-void loadSoftBody(Loading& loading, const base::Progress& progress) {
+void loadSoftBody(Loading& loading, const LoadOptions& options, const base::Progress& progress) {
   LoadedStudy& result = loading.result;
-  if (result.organs.empty() || !result.body->body().skeleton) {
+  const std::vector<viscera::OrganModel>& models = result.study.models;
+  const bool used = options.allModels ||
+                    std::find(models.begin(), models.end(), viscera::OrganModel::dynamic) != models.end();
+  if (!used || result.study.deformer != viscera::Deformer::softBody || result.organs.empty() ||
+      !result.body->body().skeleton) {
     return;
   }
   const LoadedStudy* previous = loading.previous;
@@ -526,7 +530,7 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
     result.body = std::make_shared<const parenting::BodyRig>(std::move(body), rig, threads, progress.part(0.25, 0.5));
   }
   loadOrgans(loading, progress.part(0.5, 0.75));
-  loadSoftBody(loading, progress.part(0.75, 0.85));
+  loadSoftBody(loading, options, progress.part(0.75, 0.85));
   loadArmor(loading, progress.part(0.85, 1.0));
   result.fileIssues = mergedFileIssues(result, loading.previous, library.takeIssues());
   base::append(result.issues, result.bodyIssues);
@@ -536,6 +540,9 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
   }
   for (const auto& organ : result.organs) {
     base::append(result.issues, organ->issues);
+  }
+  if (result.softBody != nullptr) {
+    base::append(result.issues, result.softBody->issues());
   }
   for (const auto& piece : result.pieces) {
     base::append(result.issues, piece->issues);

@@ -37,6 +37,7 @@ struct LoadedStudy {
   std::shared_ptr<const parenting::BodyRig> body;
   std::vector<human::Clip> clips;
   std::vector<std::shared_ptr<const LoadedOrgan>> organs;  ///< in the study's order
+  /// Of all organs; null where no model uses it (Study::models, Study::deformer) or the body has no skeleton.
   std::shared_ptr<const viscera::SoftBody> softBody;
   std::vector<std::shared_ptr<const LoadedPiece>> pieces;  ///< system by system, in the study's order
   std::vector<std::size_t> systemOfPiece;                  ///< indices into Study::systems
