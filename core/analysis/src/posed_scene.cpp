@@ -51,7 +51,7 @@ void PosedScene::deform(const std::optional<human::Pose>& pose, base::Threads th
     const viscera::OrganModel model = models_[slot / study_->organs.size()];
     const viscera::OrganRig& organ = study_->organs[o]->rig;
     if (soft && model == viscera::OrganModel::dynamic) {
-      viscera::deform(organ.rest.positions, study_->softBody->embedding(o), softBody_, organs_[slot], threads);
+      study_->softBody->place(o, organ.rest.positions, softBody_, body_, organs_[slot], threads);
     } else {
       viscera::poseOrgan(organ, model, body, body_, organs_[slot], threads);
     }

@@ -152,7 +152,7 @@ void SoftBody::Settling::press() {
   for (std::size_t i = 0; i < excess.size(); ++i) {
     lacking[parts.organParts[i].organ] -= static_cast<double>(excess[i]);
   }
-  const double limit = kPressureLimit / (parts.cell * parts.cell);
+  const double limit = kPressureLimit / parts.cell;
   pressures = (pressures + parts.pressureFor * lacking).cwiseMax(-limit).cwiseMin(limit);
 }
 
@@ -215,6 +215,32 @@ std::vector<Vec3f> SoftBody::settle(const parenting::PosedBody& pose, base::Thre
     offsets[p] = settling.offset(static_cast<std::uint32_t>(p));
   }
   return offsets;
+}
+
+Depth depthUnder(const SkinGuard& guard, std::span<const Vec3f> skin, const Vec3f& vertex) {
+  const Vec3f& a = skin[guard.corners[0]];
+  const Vec3f& b = skin[guard.corners[1]];
+  const Vec3f& c = skin[guard.corners[2]];
+  const Vec3f outwards = (b - a).cross(c - a).normalized();
+  const Vec3f over = guard.barycentric[0] * a + guard.barycentric[1] * b + guard.barycentric[2] * c;
+  return {outwards.dot(over - vertex), outwards};
+}
+
+void SoftBody::place(std::size_t organ, std::span<const Vec3f> rest, std::span<const Vec3f> offsets,
+                     const parenting::PosedBody& pose, std::span<Vec3f> posed, base::Threads threads) const {
+  const Embedding& embedding = parts_->embeddings.at(organ);
+  LORICA_CHECK(offsets.size() == parts_->points.size(), "the offsets of settle()");
+  deform(rest, embedding, offsets, posed, threads);
+  const std::vector<SkinGuard>& guards = parts_->guards[organ];
+  base::parallelFor(guards.size(), 2048, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) {
+      Vec3f& vertex = posed[guards[g].vertex];
+      const Depth depth = depthUnder(guards[g], pose.skin, vertex);
+      if (depth.metres < guards[g].least) {
+        vertex -= (guards[g].least - depth.metres) * depth.outwards;
+      }
+    }
+  });
 }
 
 const Embedding& SoftBody::embedding(std::size_t organ) const {

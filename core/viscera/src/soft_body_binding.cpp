@@ -160,6 +160,7 @@ struct SoftBody::Binding {
   void numberCells();
   void embedOrgans();
   void tieToSkin();
+  void guardOrgans();
   void factor();
   void spreadJoints();
   void measurePressures();
@@ -254,6 +255,28 @@ void SoftBody::Binding::tieToSkin() {
     parts.skin.push_back({v, cellNumber[spot.cell],
                           kSkin * static_cast<float>(areas[v] / (parts.cell * parts.cell)), spot.fraction,
                           skin.positions[v]});
+  }
+}
+
+void SoftBody::Binding::guardOrgans() {
+  const geometry::TriangleMesh& skin = body.body().skin;
+  for (const SoftOrgan& organ : organs) {
+    const geometry::Positions& positions = organ.mesh->positions;
+    std::vector<std::optional<raycast::SurfacePoint>> nearest(positions.size());
+    base::parallelFor(positions.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        nearest[v] = raycast::closestPoint(body.restScene(), positions[v].cast<double>(), kGuarded);
+      }
+    });
+    std::vector<SkinGuard>& guards = parts.guards.emplace_back();
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      if (nearest[v]) {
+        SkinGuard guard{static_cast<std::uint32_t>(v), skin.triangles[nearest[v]->triangle],
+                        nearest[v]->barycentric.cast<float>(), kLeastDepth};
+        guard.least = std::min(guard.least, depthUnder(guard, skin.positions, positions[v]).metres);
+        guards.push_back(guard);
+      }
+    }
   }
 }
 
@@ -408,6 +431,7 @@ SoftBody::SoftBody(std::span<const SoftOrgan> organs, const parenting::BodyRig& 
   binding.numberCells();
   binding.embedOrgans();
   binding.tieToSkin();
+  binding.guardOrgans();
   progress.check();
   binding.factor();
   progress.report(0.8);

@@ -10,11 +10,15 @@ using Corners = std::array<std::uint32_t, 8>;
 /// How stiff a cell of flesh is; one that organs fill is 1.
 inline constexpr float kFlesh = 0.2F;
 /// How hard a cell's share of skin pulls.
-inline constexpr float kSkin = 10.0F;
+inline constexpr float kSkin = 30.0F;
 /// How hard the joints hold each control point: enough to tell where the body goes that no skin holds.
 inline constexpr float kHold = 1e-3F;
 /// The strain of a filled cell that an organ's pressure may work against.
-inline constexpr double kPressureLimit = 0.3;
+inline constexpr double kPressureLimit = 2.5;
+/// Vertices that lie deeper than this at rest are not held back from the skin, metres.
+inline constexpr double kGuarded = 0.02;
+/// How deep below the skin vertices are held that were not nearer at rest, metres.
+inline constexpr float kLeastDepth = 1e-3F;
 
 /// Which joints carry a place of the body, and how much each.
 struct JointBlend {
@@ -31,6 +35,21 @@ struct SkinPull {
   geometry::Vec3f fraction = geometry::Vec3f::Zero();
   geometry::Vec3f rest = geometry::Vec3f::Zero();
 };
+
+/// The place on the skin under which an organ's vertex lies.
+struct SkinGuard {
+  std::uint32_t vertex = 0;      ///< of the organ
+  geometry::Triangle corners{};  ///< of the skin
+  geometry::Vec3f barycentric = geometry::Vec3f::Zero();
+  float least = 0.0F;  ///< depth below the skin that the vertex keeps, metres
+};
+
+/// A vertex' depth below the skin over it, square to that, and the skin's direction outwards.
+struct Depth {
+  float metres = 0.0F;
+  geometry::Vec3f outwards = geometry::Vec3f::Zero();
+};
+Depth depthUnder(const SkinGuard& guard, std::span<const geometry::Vec3f> skin, const geometry::Vec3f& vertex);
 
 /// The part of a closed organ that lies in one cell: a sample of its volume.
 struct OrganPart {
@@ -50,6 +69,7 @@ struct SoftBody::Parts {
   std::vector<JointBlend> pointJoints;        ///< per control point
   std::vector<Embedding> embeddings;          ///< per organ
   std::vector<SkinPull> skin;
+  std::vector<std::vector<SkinGuard>> guards;  ///< per organ
   std::vector<OrganPart> organParts;
   std::size_t organs = 0;
   Eigen::MatrixXd pressureFor;  ///< pressures per m3 of volume that organs lack, at rest

@@ -50,10 +50,16 @@ class SoftBody {
   SoftBody(SoftBody&&) noexcept;
   SoftBody& operator=(SoftBody&&) noexcept;
 
-  /// How the control points move in a pose, for deform() with the embedding of each organ: zero, exactly, at rest.
+  /// How the control points move in a pose: zero, exactly, at rest.
   /// The same bits at any number of threads. Cost: ten milliseconds for 5000 cells on two cores.
   /// \pre pose is one of the body the organs were bound to
   std::vector<geometry::Vec3f> settle(const parenting::PosedBody& pose, base::Threads threads) const;
+
+  /// The organ's vertices in the pose whose settle() gave `offsets`. What would come nearer to the skin than a
+  /// millimetre, or than it is at rest, is held back, square to the skin over it. At rest every vertex keeps its bits.
+  /// \param rest the organ's own vertices \pre posed.size() == rest.size()
+  void place(std::size_t organ, std::span<const geometry::Vec3f> rest, std::span<const geometry::Vec3f> offsets,
+             const parenting::PosedBody& pose, std::span<geometry::Vec3f> posed, base::Threads threads) const;
 
   const Embedding& embedding(std::size_t organ) const;
   /// Edge length of a cell, metres.
