@@ -62,17 +62,17 @@ struct OrganPart {
 struct SoftBody::Parts {
   double cell = 0.0;  ///< edge length, metres
   std::vector<Corners> cells;
-  std::vector<float> stiffness;               ///< per cell
-  std::vector<JointBlend> cellJoints;         ///< per cell
-  std::vector<geometry::Vec3d> points;        ///< control points at rest
-  std::vector<Corners> cellsOfPoint;          ///< the cell in which a point is corner c; none: kNone
-  std::vector<JointBlend> pointJoints;        ///< per control point
-  std::vector<Embedding> embeddings;          ///< per organ
+  std::vector<float> stiffness;         ///< per cell
+  std::vector<JointBlend> cellJoints;   ///< per cell
+  std::vector<geometry::Vec3d> points;  ///< control points at rest
+  std::vector<Corners> cellsOfPoint;    ///< the cell in which a point is corner c; none: kNone
+  std::vector<JointBlend> pointJoints;  ///< per control point
+  std::vector<Embedding> embeddings;    ///< per organ
   std::vector<SkinPull> skin;
   std::vector<std::vector<SkinGuard>> guards;  ///< per organ
   std::vector<OrganPart> organParts;
   std::size_t organs = 0;
-  Eigen::MatrixXd pressureFor;  ///< pressures per m3 of volume that organs lack, at rest
+  Eigen::MatrixXd pressureFor;            ///< pressures per m3 of volume that organs lack, at rest
   std::vector<std::int64_t> parentJoint;  ///< -1 for a root
   int rounds = 0;
   SparseSolver solver;
