@@ -53,6 +53,9 @@ double closedVolume(std::span<const Vec3f> positions, const MeshTopology& topolo
   return sixfold / 6.0;
 }
 
+/// Edges shorter than this say more about the rounding of float positions than about strain, metres.
+constexpr double shortestEdge = 1e-4;
+
 double largestStretch(const TriangleMesh& rest, std::span<const Vec3f> posed) {
   double largest = 0.0;
   for (const Triangle& t : rest.triangles) {
@@ -60,7 +63,7 @@ double largestStretch(const TriangleMesh& rest, std::span<const Vec3f> posed) {
       const std::uint32_t a = t[k];
       const std::uint32_t b = t[(k + 1) % 3];
       const double before = (rest.positions[a].cast<double>() - rest.positions[b].cast<double>()).norm();
-      if (before > 0.0) {
+      if (before >= shortestEdge) {
         largest = std::max(largest, (posed[a].cast<double>() - posed[b].cast<double>()).norm() / before);
       }
     }
