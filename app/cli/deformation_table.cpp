@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lorica::cli {
 
@@ -56,8 +57,10 @@ std::string line(const analysis::DeformationTables& tables, const analysis::Mode
   const std::string protrusion = sums.skinCloses ? fmt::format("{:.1f}", 1e3 * sums.protrusion) : "-";
   const std::string overlap = sums.volume > 0.0 ? fmt::format("{:.1f}", 1e6 * sums.overlap) : "-";
   const std::string gap = sums.contact > 0.0 ? fmt::format("{:.2f}", 1e3 * sums.gap / sums.contact) : "-";
-  const std::string change =
-      sums.volume > 0.0 ? fmt::format("{:+.1f} {}", 100.0 * sums.change + 0.0, sums.changed) : "-";
+  const std::string change = std::abs(sums.change) >= 5e-4
+                                 ? fmt::format("{:+.1f} {}", 100.0 * sums.change, sums.changed)
+                             : sums.volume > 0.0 ? "0.0"
+                                                 : "-";
   std::string text =
       fmt::format("  {:<15} {:>9} {:>8} {:<16} {:>9} {:>7} {:>6}  {}", viscera::name(tables.models[row.model]), outside,
                   protrusion, sums.deepest, overlap, gap, sums.inverted, change);
@@ -93,8 +96,8 @@ std::string deformationTable(const analysis::DeformationTables& tables) {
     }
   }
   return text +
-         "\noutside: share of the organs' volume outside the skin; deepest: of their vertices there. over.: "
-         "overlap of organs\nbeyond that at rest. gap: mean distance opened between surfaces that touch at "
+         "\noutside: share of the organs' volume outside the skin; prot.: depth of their deepest vertex there. "
+         "over.: overlap of\norgans beyond that at rest. gap: mean distance opened between surfaces that touch at "
          "rest. invert: lattice cells turned\ninside out. volume change: of the organ that changed most.\n";
 }
 
