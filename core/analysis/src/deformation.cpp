@@ -49,6 +49,18 @@ ModelDeformation StudyAudit::measure(const PosedScene& scene, std::size_t model,
   return result;
 }
 
+std::optional<SkinRoom> StudyAudit::room(const PosedScene& scene) const {
+  return restRoom() ? std::optional(viscera::skinRoom(study_->body->body(), scene.body().skin)) : std::nullopt;
+}
+
+std::optional<SkinRoom> StudyAudit::restRoom() const {
+  const raycast::MeshTopology& skin = *study_->body->skinTopology();
+  if (skin.hasOpenEdges || skin.closed.empty()) {
+    return std::nullopt;
+  }
+  return viscera::skinRoom(study_->body->body(), study_->body->body().skin.positions);
+}
+
 namespace {
 
 constexpr double percent = 100.0;

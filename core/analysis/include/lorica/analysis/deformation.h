@@ -33,6 +33,10 @@ class StudyAudit {
   ModelDeformation measure(const PosedScene& scene, std::size_t model, base::Threads threads,
                            const base::Progress& progress = {}) const;
 
+  /// The room inside the skin; none for one that does not close.
+  std::optional<viscera::SkinRoom> room(const PosedScene& scene) const;
+  std::optional<viscera::SkinRoom> restRoom() const;
+
   const viscera::DeformationAudit& meshes() const { return audit_; }
 
  private:
@@ -46,7 +50,7 @@ struct DeformationTables {
   std::vector<std::string> poses;
   std::vector<viscera::OrganModel> models;
   std::vector<ModelDeformation> rows;                   ///< any part of poses times models
-  std::vector<std::optional<viscera::SkinRoom>> rooms;  ///< per pose; none where it was not reached
+  std::vector<std::optional<viscera::SkinRoom>> rooms;  ///< per pose, as far as they are known
   std::optional<viscera::SkinRoom> restRoom;            ///< none for a skin that does not close
 };
 

@@ -81,7 +81,9 @@ struct OrganAudit {
   std::optional<Estimate> overlap;          ///< m3, sum over the other organs that enclose a volume
   std::optional<double> overlapBeyondRest;  ///< m3, sum over the other organs of what exceeds their overlap at rest
   std::optional<Gap> gap;                   ///< from all organs it touched at rest; none when it touched none
-  double largestStretch = 1.0;              ///< length now over length at rest, of the edge stretched most
+  /// Length now over length at rest of the edge stretched most, of those of 0.1 mm or more: float positions leave
+  /// shorter ones no digits.
+  double largestStretch = 1.0;
 
   bool operator==(const OrganAudit&) const = default;
 };
