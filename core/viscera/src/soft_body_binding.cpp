@@ -281,8 +281,10 @@ void SoftBody::Binding::guardOrgans() {
     for (std::size_t v = 0; v < positions.size(); ++v) {
       if (nearest[v]) {
         SkinGuard guard{static_cast<std::uint32_t>(v), skin.triangles[nearest[v]->triangle],
-                        nearest[v]->barycentric.cast<float>(), kLeastDepth};
-        guard.least = std::min(guard.least, depthUnder(guard, skin.positions, positions[v]).metres);
+                        nearest[v]->barycentric.cast<float>(), kLeastDepth, 0.0F};
+        const Depth rest = depthUnder(guard, skin.positions, positions[v]);
+        guard.least = std::min(guard.least, rest.metres);
+        guard.aside = rest.aside;
         guards.push_back(guard);
       }
     }
