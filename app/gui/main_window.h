@@ -16,6 +16,7 @@
 #include "lorica/jobs/run_controller.h"
 #include "lorica/jobs/study_loader.h"
 #include "lorica/panels/coverage_chart.h"
+#include "lorica/panels/inspection_panel.h"
 #include "lorica/panels/problems_panel.h"
 #include "lorica/panels/project_panel.h"
 #include "lorica/panels/properties_panel.h"
@@ -75,6 +76,7 @@ class MainWindow : public QMainWindow {
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makeColouringMenu(QMenu& menu);
   void makeAnalysisMenu();
   void makeStatusBar();
   /// Opens the panels of results below the view, if they are not.
@@ -120,7 +122,9 @@ class MainWindow : public QMainWindow {
   panels::ResultsPanel* results_ = nullptr;
   panels::CoverageChart* chart_ = nullptr;
   panels::ProblemsPanel* problems_ = nullptr;
+  panels::InspectionPanel* inspection_ = nullptr;
   dialogs::ShotLineDialog* shotLines_ = nullptr;
+  QDockWidget* inspectionDock_ = nullptr;
   QDockWidget* resultsDock_ = nullptr;
   QDockWidget* chartDock_ = nullptr;
   QDockWidget* problemsDock_ = nullptr;

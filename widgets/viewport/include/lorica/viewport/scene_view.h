@@ -5,6 +5,9 @@
 /// shows frames and listens to the document for colours, visibility and selection. The one room that knows VTK's
 /// rendering.
 ///
+/// Where the document's inspection asks for it, what drives an organ is drawn around it, organs are coloured by how
+/// they fare once the pose rests, and a legend says what is what.
+///
 /// However many things change at once, there is one drawing of the newest, as soon as nothing else waits to be done.
 /// Where a drawing in full is too slow for that, as without a graphics card, coarse ones are drawn while something
 /// moves, and what is shown is drawn in full when it has come to rest.
@@ -64,6 +67,9 @@ class SceneView : public QWidget {
   struct Impl;
   void arrangePanes(std::size_t count);
   void restyle();
+  void followColours();
+  void showColours();
+  void placeLegend();
   void click(const QPointF& place);
   void scheduleDrawing();
   void draw();

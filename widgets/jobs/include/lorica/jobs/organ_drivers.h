@@ -1,0 +1,54 @@
+#pragma once
+
+/// \file
+/// What drives one organ in one model, in a pose, as it can be drawn: the lattice, the interior sites with their
+/// anchors and reference frames, or the joint. Computed by the same calls that deform the organ.
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lorica/viscera/organ_rig.h"
+
+namespace lorica::jobs {
+
+/// What of the drivers stays the same in every pose. Indices are into what drives the organ in its model.
+struct DriverLayout {
+  viscera::OrganModel model = viscera::OrganModel::dynamic;
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< of cells that hold a vertex, each once: pairs of control points
+  std::vector<std::uint32_t> sites;                 ///< sites that carry a control point, rising
+  bool byJoint = false;                             ///< one joint carries it, rigidly
+};
+
+/// A place with the axes of its reference frame. Metres.
+struct DriverFrame {
+  geometry::Vec3f origin = geometry::Vec3f::Zero();
+  std::array<geometry::Vec3f, 3> axes{};  ///< of length 1, at right angles
+};
+
+/// An interior site that drives, posed.
+struct DriverSite {
+  DriverFrame frame;
+  std::array<geometry::Vec3f, 3> anchors{};  ///< on the posed skin
+};
+
+struct OrganDrivers {
+  std::shared_ptr<const DriverLayout> layout;
+  std::vector<geometry::Vec3f> controlPoints;  ///< empty for rigid organs
+  std::size_t pruned = 0;                      ///< control points that were left out, since no vertex is near
+  std::vector<DriverSite> sites;               ///< one for each of layout->sites, or the one that carries a rigid organ
+  std::vector<geometry::Vec3f> otherSites;     ///< the body's other interior sites
+  std::optional<DriverFrame> joint;
+  std::string jointName;
+};
+
+/// Thread-safe. Cost: a sort of the cells' edges.
+DriverLayout driverLayout(const viscera::OrganRig& organ, viscera::OrganModel model);
+
+/// \param body the one the organ was bound to \param pose of that body \param layout of this organ
+/// Thread-safe. Cost: that of posing the control points once more.
+OrganDrivers poseDrivers(const viscera::OrganRig& organ, std::shared_ptr<const DriverLayout> layout,
+                         const parenting::BodyRig& body, const parenting::PosedBody& pose, base::Threads threads);
+
+}  // namespace lorica::jobs
