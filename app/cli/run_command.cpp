@@ -78,8 +78,10 @@ int runStudy(const RunArguments& arguments) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{}\n", summaryTable(result, analysis::summaryRows(study, result)));
     sayWhatWasShot(result);
-    fmt::print("{} in {:.1f} s; summary.csv, trials.csv and provenance.json are in {}\n",
-               result.partial ? "stopped" : "finished", seconds, arguments.out.string());
+    fmt::print(
+        "{} in {:.1f} s; summary.csv, trials.csv, deformation.csv, contacts.csv, room.csv and provenance.json are in "
+        "{}\n",
+        result.partial ? "stopped" : "finished", seconds, arguments.out.string());
   }
   if (result.partial) {
     fmt::print(stderr, "cancelled: the result in {} is partial\n", arguments.out.string());

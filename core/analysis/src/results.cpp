@@ -149,6 +149,19 @@ std::vector<ResultRow> trialRows(const LoadedStudy& study, const RunResult& resu
   return rows;
 }
 
+DeformationTables deformationTables(const LoadedStudy& study, const RunResult& result) {
+  DeformationTables tables;
+  for (const auto& organ : study.organs) {
+    tables.organs.push_back(organ->name);
+  }
+  tables.poses = result.poses;
+  tables.models = result.models;
+  tables.rows = result.deformations;
+  tables.rooms = result.rooms;
+  tables.restRoom = result.restRoom;
+  return tables;
+}
+
 std::string summaryCsv(const std::vector<ResultRow>& rows) {
   return csv(rows, false);
 }
@@ -186,8 +199,12 @@ std::string provenanceJson(const LoadedStudy& study, const RunResult& result) {
 }
 
 void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder) {
+  const DeformationTables deformations = deformationTables(study, result);
   base::writeFilesAtomically({{folder / "summary.csv", summaryCsv(summaryRows(study, result))},
                               {folder / "trials.csv", trialsCsv(trialRows(study, result))},
+                              {folder / "deformation.csv", deformationCsv(deformations)},
+                              {folder / "contacts.csv", contactsCsv(deformations)},
+                              {folder / "room.csv", roomCsv(deformations)},
                               {folder / "provenance.json", provenanceJson(study, result)}});
 }
 

@@ -96,6 +96,38 @@ Plan planPoses(const LoadedStudy& study, const RunOptions& options, RunResult& r
   return plan;
 }
 
+/// \throw base::Cancelled; what was finished stays in the result
+void auditPose(const StudyAudit& audit, const PosedScene& scene, std::size_t pose, base::Threads threads,
+               RunResult& result, const base::Progress& progress) {
+  result.rooms.push_back(audit.room(scene));
+  const double models = static_cast<double>(result.models.size());
+  for (std::size_t m = 0; m < result.models.size(); ++m) {
+    ModelDeformation made = audit.measure(
+        scene, m, threads, progress.part(static_cast<double>(m) / models, static_cast<double>(m + 1) / models));
+    made.pose = pose;
+    result.deformations.push_back(std::move(made));
+  }
+}
+
+/// \throw base::Cancelled; what was finished stays in the result
+void shootPose(const PosedScene& scene, std::size_t pose, const RunOptions& options, RunResult& result,
+               const base::Progress& progress) {
+  const double steps = static_cast<double>(result.sources.size()) * result.trials;
+  double step = 0.0;
+  for (std::size_t s = 0; s < result.sources.size(); ++s) {
+    SourcePoseResult& here = result.results[s * result.poses.size() + pose];
+    for (std::uint32_t trial = 0; trial < result.trials; ++trial) {
+      const shotline::ShotGenerator shots(result.sources[s].source, result.seed, trial);
+      const shotline::TraceResult traced =
+          shotline::trace(scene.scene(), scene.layout(), shots, result.sources[s].shots, options.threads,
+                          progress.part(step / steps, (step + 1.0) / steps));
+      here.trials.push_back(traced.tally);
+      here.counts.add(traced.counts);
+      step += 1.0;
+    }
+  }
+}
+
 }  // namespace
 
 RunResult run(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress) {
@@ -120,26 +152,28 @@ RunResult run(const LoadedStudy& study, const RunOptions& options, const base::P
       result.results.push_back({s, p, {}, {}});
     }
   }
-  const double steps = static_cast<double>(plan.poses.size() * result.sources.size() * result.trials);
-  double step = 0.0;
+  constexpr double audited = 0.05;
+  std::optional<StudyAudit> audit;
+  try {
+    audit.emplace(study, options.threads, progress.part(0.0, audited));
+  } catch (const base::Cancelled&) {
+    result.partial = true;
+    return result;
+  }
+  base::append(result.issues, audit->meshes().issues());
+  result.restRoom = audit->restRoom();
   // Pose by pose, so that only one scene is in memory.
+  const double poses = static_cast<double>(plan.poses.size());
   for (std::size_t p = 0; p < plan.poses.size() && !result.partial; ++p) {
     const PosedScene scene(study, result.models, plan.poses[p].pose, raycast::SceneUse::manyRays, options.threads);
-    for (std::size_t s = 0; s < result.sources.size() && !result.partial; ++s) {
-      SourcePoseResult& here = result.results[s * plan.poses.size() + p];
-      for (std::uint32_t trial = 0; trial < result.trials && !result.partial; ++trial) {
-        const shotline::ShotGenerator shots(result.sources[s].source, result.seed, trial);
-        try {
-          const shotline::TraceResult traced =
-              shotline::trace(scene.scene(), scene.layout(), shots, result.sources[s].shots, options.threads,
-                              progress.part(step / steps, (step + 1.0) / steps));
-          here.trials.push_back(traced.tally);
-          here.counts.add(traced.counts);
-        } catch (const base::Cancelled&) {
-          result.partial = true;
-        }
-        step += 1.0;
-      }
+    const double begin = audited + (1.0 - audited) * static_cast<double>(p) / poses;
+    const double end = audited + (1.0 - audited) * static_cast<double>(p + 1) / poses;
+    const double middle = begin + 0.25 * (end - begin);
+    try {
+      auditPose(*audit, scene, p, options.threads, result, progress.part(begin, middle));
+      shootPose(scene, p, options, result, progress.part(middle, end));
+    } catch (const base::Cancelled&) {
+      result.partial = true;
     }
   }
   return result;

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// A run as tables: summary.csv, trials.csv, provenance.json.
+/// A run as tables: summary.csv, trials.csv, deformation.csv, contacts.csv, room.csv, provenance.json.
 
 #include <filesystem>
 
@@ -39,13 +39,16 @@ std::vector<ResultRow> summaryRows(const LoadedStudy& study, const RunResult& re
 /// The same with one row per trial.
 std::vector<ResultRow> trialRows(const LoadedStudy& study, const RunResult& result);
 
+/// What the run knows of the organs' deformation, for the tables of deformation.h.
+DeformationTables deformationTables(const LoadedStudy& study, const RunResult& result);
+
 std::string summaryCsv(const std::vector<ResultRow>& rows);
 std::string trialsCsv(const std::vector<ResultRow>& rows);
 /// Version, study and input hashes, sources with their cones, counts of retraced and unresolved shots, issues, and
 /// whether the run is partial. Holds no time and no thread count: the same run gives the same bytes.
 std::string provenanceJson(const LoadedStudy& study, const RunResult& result);
 
-/// Writes the three files into a folder, all of them or none. \throw base::InputError
+/// Writes the six files into a folder, all of them or none. \throw base::InputError
 void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder);
 
 }  // namespace lorica::analysis

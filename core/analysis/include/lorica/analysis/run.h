@@ -3,7 +3,7 @@
 /// \file
 /// Runs a study: every pose, source and trial, all systems and models on the same shots.
 
-#include "lorica/analysis/loaded_study.h"
+#include "lorica/analysis/deformation.h"
 #include "lorica/shotline/trace.h"
 
 namespace lorica::analysis {
@@ -41,6 +41,10 @@ struct RunResult {
   std::uint32_t trials = 0;                 ///< asked for
   std::vector<SourcePoseResult> results;    ///< source by source, pose by pose
   std::vector<std::size_t> collapsedSites;  ///< per pose, interior sites whose anchors collapsed
+  /// Pose by pose, model by model, as far as the run came; a study without organs has rows without organs.
+  std::vector<ModelDeformation> deformations;
+  std::optional<viscera::SkinRoom> restRoom;            ///< none for a skin that does not close
+  std::vector<std::optional<viscera::SkinRoom>> rooms;  ///< per pose, as far as the run came; none as for restRoom
   base::Issues issues;
   bool partial = false;  ///< cancelled: `results` holds what was finished
 };
