@@ -37,6 +37,7 @@ void MainWindow::makeFileMenu() {
   file->addAction(tr("&New study with the built-in human..."), QKeySequence::New, this, &MainWindow::newHumanStudy);
   file->addAction(tr("&Open..."), QKeySequence::Open, this, &MainWindow::chooseAndOpen);
   recentMenu_ = file->addMenu(tr("Open &recent"));
+  recentMenu_->setToolTipsVisible(true);
   connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
   QMenu* samples = file->addMenu(tr("Open a s&ample"));
   for (const std::string& name : study::templateNames()) {
@@ -135,14 +136,18 @@ void MainWindow::makeAnalysisMenu() {
     }
   });
   menu->addAction(tr("&Stop the run"), &runs_, &jobs::RunController::cancel);
+  menu->addSeparator();
+  QAction* deformation =
+      menu->addAction(tr("&Deformation of organs"), QKeySequence(tr("Ctrl+D")), this, &MainWindow::showDeformation);
   auto* bar = addToolBar(tr("Tools"));
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
   bar->addAction(shotLines);
   bar->addAction(run);
+  bar->addAction(deformation);
   bar->addSeparator();
   QAction* models = bar->addWidget(new ModelChooser(document_));
-  studyActions_ = {shotLines, run, models};
+  studyActions_ = {shotLines, run, deformation, models};
 }
 
 }  // namespace lorica::gui

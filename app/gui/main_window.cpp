@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
@@ -34,6 +35,7 @@ namespace fs = std::filesystem;
 using document::StudyDocument;
 
 constexpr int recentLimit = 8;
+constexpr int recentWidth = 560;
 constexpr int statusSeconds = 8;
 constexpr int belowHeight = 300;  ///< of the panels below the view when they open
 
@@ -101,6 +103,7 @@ void MainWindow::makePanels() {
   chart_ = new panels::CoverageChart;
   problems_ = new panels::ProblemsPanel(document_);
   inspection_ = new panels::InspectionPanel(document_);
+  deformation_ = new panels::DeformationPanel(document_);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   QDockWidget* projectDock = dock(tr("Project"), "project", project_, Qt::LeftDockWidgetArea);
   QDockWidget* propertiesDock = dock(tr("Properties"), "properties", properties_, Qt::LeftDockWidgetArea);
@@ -110,11 +113,13 @@ void MainWindow::makePanels() {
   resultsDock_ = dock(tr("Results"), "results", results_, Qt::BottomDockWidgetArea);
   chartDock_ = dock(tr("Chart"), "chart", chart_, Qt::BottomDockWidgetArea);
   problemsDock_ = dock(tr("Problems"), "problems", problems_, Qt::BottomDockWidgetArea);
+  deformationDock_ = dock(tr("Deformation"), "deformation", deformation_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(resultsDock_, deformationDock_);
   tabifyDockWidget(resultsDock_, problemsDock_);
   resizeDocks({projectDock, propertiesDock}, {440, 300}, Qt::Vertical);
   resizeDocks({projectDock}, {320}, Qt::Horizontal);
   // The view has all the room until there is something to read below it.
-  for (QDockWidget* below : {resultsDock_, chartDock_, problemsDock_}) {
+  for (QDockWidget* below : {resultsDock_, chartDock_, deformationDock_, problemsDock_}) {
     below->hide();
   }
   shotLines_ = new dialogs::ShotLineDialog(document_, runs_, this);
@@ -365,8 +370,7 @@ void MainWindow::saveTables(const std::shared_ptr<const document::RunRecord>& ru
   if (run == nullptr) {
     return;
   }
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for summary.csv, trials.csv, "
-                                                                    "provenance.json"));
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for summary.csv and the other tables"));
   if (folder.isEmpty()) {
     return;
   }
@@ -427,7 +431,9 @@ void MainWindow::remember(const QString& file) {
 void MainWindow::fillRecentMenu() {
   recentMenu_->clear();
   for (const QString& file : recentFiles()) {
-    recentMenu_->addAction(file, this, [this, file] { openFile(file); });
+    const QString text = recentText(file, recentMenu_->fontMetrics(), recentWidth).replace('&', QLatin1String("&&"));
+    QAction* action = recentMenu_->addAction(text, this, [this, file] { openFile(file); });
+    action->setToolTip(file);
   }
   if (recentMenu_->isEmpty()) {
     recentMenu_->addAction(tr("none yet"))->setEnabled(false);
@@ -503,13 +509,23 @@ void MainWindow::showResults() {
   }
 }
 
-void MainWindow::showProblems() {
-  const bool opens = problemsDock_->isHidden() && resultsDock_->isHidden();
-  problemsDock_->show();
-  problemsDock_->raise();
+void MainWindow::showBelow(QDockWidget* dock) {
+  const QList<QDockWidget*> sharers{resultsDock_, deformationDock_, problemsDock_};
+  const bool opens =
+      std::all_of(sharers.begin(), sharers.end(), [](const QDockWidget* one) { return one->isHidden(); });
+  dock->show();
+  dock->raise();
   if (opens) {
-    resizeDocks({problemsDock_}, {belowHeight}, Qt::Vertical);
+    resizeDocks({dock}, {belowHeight}, Qt::Vertical);
   }
+}
+
+void MainWindow::showProblems() {
+  showBelow(problemsDock_);
+}
+
+void MainWindow::showDeformation() {
+  showBelow(deformationDock_);
 }
 
 void MainWindow::requestFrame() {

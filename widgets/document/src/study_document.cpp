@@ -45,7 +45,17 @@ bool sameNumbers(const study::Study& a, const study::Study& b) {
     study.name.clear();
     study.description.clear();
     study.displays.clear();
+    const auto undescribed = [](auto& things) {
+      for (auto& thing : things) {
+        thing.description.clear();
+      }
+    };
+    undescribed(study.organs);
+    undescribed(study.systems);
+    undescribed(study.poses);
+    undescribed(study.sources);
     for (study::ArmorSystem& system : study.systems) {
+      undescribed(system.pieces);
       for (study::ArmorPiece& piece : system.pieces) {
         // Kept for the record.
         piece.material.clear();

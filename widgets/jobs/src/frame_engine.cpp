@@ -146,6 +146,7 @@ void FrameEngine::fillDrivers(Frame& frame, const std::string& organ) {
   if (organ.empty() || found == organs.end()) {
     return;
   }
+  const auto index = static_cast<std::size_t>(found - organs.begin());
   if (layoutsOf_ != *found) {
     layoutsOf_ = *found;
     layouts_.clear();
@@ -153,11 +154,10 @@ void FrameEngine::fillDrivers(Frame& frame, const std::string& organ) {
   for (const viscera::OrganModel model : frame.scene->models()) {
     auto layout = std::find_if(layouts_.begin(), layouts_.end(), [&](const auto& one) { return one->model == model; });
     if (layout == layouts_.end()) {
-      layouts_.push_back(std::make_shared<const DriverLayout>(driverLayout((*found)->rig, model)));
+      layouts_.push_back(std::make_shared<const DriverLayout>(driverLayout(*frame.study, index, model)));
       layout = std::prev(layouts_.end());
     }
-    frame.drivers.push_back(
-        poseDrivers((*found)->rig, *layout, *frame.study->body, frame.scene->body(), base::Threads{}));
+    frame.drivers.push_back(poseDrivers(*frame.study, index, *layout, *frame.scene, base::Threads{}));
   }
   frame.driversOf = organ;
 }

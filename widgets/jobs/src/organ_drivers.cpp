@@ -13,7 +13,7 @@ using viscera::OrganModel;
 using viscera::OrganRig;
 
 /// Corners of a cell (Eq 12) that differ in one of x, z and y.
-constexpr std::array<std::array<std::size_t, 2>, 12> cellEdges{
+constexpr std::array<std::array<std::size_t, 2>, 12> edgesOfACell{
     {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
 /// What carries each control point; empty for rigid organs.
@@ -59,7 +59,20 @@ void addLattice(OrganDrivers& drivers, const OrganRig& organ, const parenting::S
 
 }  // namespace
 
-DriverLayout driverLayout(const OrganRig& organ, OrganModel model) {
+std::vector<std::array<std::uint32_t, 2>> cellEdges(std::span<const std::array<std::uint32_t, 8>> cells) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (const auto& corners : cells) {
+    for (const auto& [from, to] : edgesOfACell) {
+      edges.push_back({std::min(corners[from], corners[to]), std::max(corners[from], corners[to])});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+DriverLayout driverLayout(const analysis::LoadedStudy& study, std::size_t index, OrganModel model) {
+  const OrganRig& organ = study.organs[index]->rig;
   DriverLayout layout;
   layout.model = model;
   const std::vector<viscera::SiteBlend>& blends = blendsOf(organ, model);
@@ -67,13 +80,7 @@ DriverLayout driverLayout(const OrganRig& organ, OrganModel model) {
     layout.byJoint = model == OrganModel::staticJoint || !organ.site;
     return layout;
   }
-  for (const auto& corners : organ.lattice.cellCorners) {
-    for (const auto& [from, to] : cellEdges) {
-      layout.edges.push_back({std::min(corners[from], corners[to]), std::max(corners[from], corners[to])});
-    }
-  }
-  std::sort(layout.edges.begin(), layout.edges.end());
-  layout.edges.erase(std::unique(layout.edges.begin(), layout.edges.end()), layout.edges.end());
+  layout.edges = cellEdges(organ.lattice.cellCorners);
   for (const viscera::SiteBlend& blend : blends) {
     layout.sites.insert(layout.sites.end(), blend.site.begin(),
                         blend.site.begin() + static_cast<std::ptrdiff_t>(blend.count));
@@ -83,8 +90,12 @@ DriverLayout driverLayout(const OrganRig& organ, OrganModel model) {
   return layout;
 }
 
-OrganDrivers poseDrivers(const OrganRig& organ, std::shared_ptr<const DriverLayout> layout,
-                         const parenting::BodyRig& body, const parenting::PosedBody& pose, base::Threads threads) {
+OrganDrivers poseDrivers(const analysis::LoadedStudy& study, std::size_t index,
+                         std::shared_ptr<const DriverLayout> layout, const analysis::PosedScene& scene,
+                         base::Threads threads) {
+  const OrganRig& organ = study.organs[index]->rig;
+  const parenting::BodyRig& body = *study.body;
+  const parenting::PosedBody& pose = scene.body();
   OrganDrivers drivers;
   const bool thesis = layout->model == OrganModel::dynamicThesis && !organ.thesisDrivers.empty();
   const std::vector<SkinSite>& sites = thesis ? body.thesisSites() : body.sites();

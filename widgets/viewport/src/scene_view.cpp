@@ -165,6 +165,10 @@ SceneView::SceneView(document::StudyDocument& document, QWidget* parent)
 
   using document::StudyDocument;
   connect(&document_, &StudyDocument::studyChanged, this, [this](document::Changes what) {
+    if (what.testFlag(document::Change::display)) {
+      // A slider may be dragged: in motion as the camera is.
+      beginMotion(restMs);
+    }
     if (what.testFlag(document::Change::display) || what.testFlag(document::Change::sources)) {
       restyle();
     }

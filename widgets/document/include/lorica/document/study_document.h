@@ -160,7 +160,7 @@ class StudyDocument : public QObject {
   std::vector<std::shared_ptr<const RunRecord>> runs_;
 };
 
-/// Whether two studies give the same tables: names and descriptions of the whole, what armor is made of, and how things
+/// Whether two studies give the same tables: the name of the whole, descriptions, what armor is made of, and how things
 /// are drawn, change no number.
 bool sameNumbers(const study::Study& a, const study::Study& b);
 

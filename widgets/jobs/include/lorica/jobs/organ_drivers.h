@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "lorica/viscera/organ_rig.h"
+#include "lorica/analysis/posed_scene.h"
 
 namespace lorica::jobs {
 
@@ -43,12 +43,16 @@ struct OrganDrivers {
   std::string jointName;
 };
 
-/// Thread-safe. Cost: a sort of the cells' edges.
-DriverLayout driverLayout(const viscera::OrganRig& organ, viscera::OrganModel model);
+/// \param organ index into the study's. Thread-safe. Cost: a sort of the cells' edges.
+DriverLayout driverLayout(const analysis::LoadedStudy& study, std::size_t organ, viscera::OrganModel model);
 
-/// \param body the one the organ was bound to \param pose of that body \param layout of this organ
+/// \param organ index into the study's \param layout of this organ \param scene shows the study
 /// Thread-safe. Cost: that of posing the control points once more.
-OrganDrivers poseDrivers(const viscera::OrganRig& organ, std::shared_ptr<const DriverLayout> layout,
-                         const parenting::BodyRig& body, const parenting::PosedBody& pose, base::Threads threads);
+OrganDrivers poseDrivers(const analysis::LoadedStudy& study, std::size_t organ,
+                         std::shared_ptr<const DriverLayout> layout, const analysis::PosedScene& scene,
+                         base::Threads threads);
+
+/// Edges of cells, each once, smaller index first. \param cells corners in the order of Eq 12
+std::vector<std::array<std::uint32_t, 2>> cellEdges(std::span<const std::array<std::uint32_t, 8>> cells);
 
 }  // namespace lorica::jobs
