@@ -30,23 +30,19 @@ TEST(EdgeStrain, OfAMeshThatGrowsIsTheSameEverywhere) {
   }
 }
 
-TEST(EdgeStrain, TakesTheEdgeThatChangedByTheGreatestFactor) {
+TEST(EdgeStrain, IsThatOfTheEdgesAtAVertexTogether) {
   geometry::TriangleMesh one;
-  one.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  one.positions = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {9, 9, 9}};
   one.triangles = {{0, 1, 2}};
-  // The first edge shrinks to a third, the second one grows to twice its length.
-  const geometry::Positions posed{{0, 0, 0}, {1.0F / 3.0F, 0, 0}, {0, 2, 0}};
-  const std::vector<float> strain = edgeStrain(one, posed);
-  EXPECT_NEAR(strain[0], -2.0F / 3.0F, 1e-6F);
-  EXPECT_NEAR(strain[1], -2.0F / 3.0F, 1e-6F);
-  EXPECT_NEAR(strain[2], 1.0F, 1e-6F);
-}
-
-TEST(EdgeStrain, LeavesOutEdgesThatFloatsCannotTell) {
-  geometry::TriangleMesh one;
-  one.positions = {{0, 0, 0}, {5e-5F, 0, 0}, {0, 0, 0}};
-  one.triangles = {{0, 1, 2}};
-  EXPECT_EQ(edgeStrain(one, geometry::Positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), std::vector<float>(3, 0.0F));
+  // Edges of 3, 4 and 5 become 6, 8 and 10, then only the first one changes.
+  std::vector<float> strain = edgeStrain(one, geometry::Positions{{0, 0, 0}, {6, 0, 0}, {0, 8, 0}, {0, 0, 0}});
+  EXPECT_NEAR(strain[0], 1.0F, 1e-6F);
+  EXPECT_EQ(strain[3], 0.0F) << "a vertex without an edge";
+  strain = edgeStrain(one, geometry::Positions{{0, 0, 0}, {1, 0, 0}, {0, 4, 0}, {0, 0, 0}});
+  const double third = std::sqrt(17.0);
+  EXPECT_NEAR(strain[0], 5.0 / 7.0 - 1.0, 1e-6);
+  EXPECT_NEAR(strain[1], (1.0 + third) / 8.0 - 1.0, 1e-6);
+  EXPECT_NEAR(strain[2], (4.0 + third) / 9.0 - 1.0, 1e-6);
 }
 
 TEST(Protrusion, IsTheDistanceFromTheSkinOfWhatIsOutside) {

@@ -53,7 +53,7 @@ TEST(ColourScale, EndsAtARoundNumberBeyondAllButOneInAHundred) {
   std::vector<float> values(1000, 0.013F);
   values[3] = 7.0F;  // one bad triangle
   const std::vector<std::span<const float>> all{values};
-  EXPECT_DOUBLE_EQ(scaleFor(Colouring::protrusion, all).end, 0.02);
+  EXPECT_DOUBLE_EQ(scaleFor(Colouring::protrusion, all).end, 0.015);
   values.assign(1000, -0.2F);
   EXPECT_DOUBLE_EQ(scaleFor(Colouring::strain, all).end, 0.2) << "a round number stands for itself";
 }

@@ -45,20 +45,19 @@ TEST_F(DriverPresenterTest, DrawsWhatIsAskedForAndNothingElse) {
   presenter.restyle(document_);
   const auto all = {Driver::lattice, Driver::controlPoints, Driver::sites, Driver::rays, Driver::frames};
   for (const Driver driver : all) {
-    EXPECT_EQ(presenter.drawn(driver)->GetNumberOfPoints(), 0);
+    EXPECT_EQ(presenter.drawn(driver), 0);
   }
   const jobs::OrganDrivers& drivers = frame->drivers[1];
   const std::map<Driver, std::size_t> cells{{Driver::lattice, drivers.layout->edges.size()},
                                             {Driver::controlPoints, drivers.controlPoints.size()},
-                                            {Driver::sites, drivers.sites.size()},
+                                            {Driver::sites, drivers.sites.size() + drivers.otherSites.size()},
                                             {Driver::rays, 3 * drivers.sites.size()},
                                             {Driver::frames, 3 * drivers.sites.size()}};
   for (const Driver asked : all) {
     document_.inspect({"liver", asked, Colouring::own});
     presenter.restyle(document_);
     for (const Driver driver : all) {
-      EXPECT_EQ(presenter.drawn(driver)->GetNumberOfCells(),
-                driver == asked ? static_cast<vtkIdType>(cells.at(driver)) : 0);
+      EXPECT_EQ(presenter.drawn(driver), driver == asked ? static_cast<vtkIdType>(cells.at(driver)) : 0);
     }
   }
 }
@@ -68,8 +67,8 @@ TEST_F(DriverPresenterTest, ARigidOrganHasNoLatticeButTheFrameOfItsJoint) {
   presenter.showFrame(frameOf("liver"));
   document_.inspect({"liver", Driver::lattice | Driver::frames, Colouring::own});
   presenter.restyle(document_);
-  EXPECT_EQ(presenter.drawn(Driver::lattice)->GetNumberOfCells(), 0);
-  EXPECT_EQ(presenter.drawn(Driver::frames)->GetNumberOfCells(), 3);
+  EXPECT_EQ(presenter.drawn(Driver::lattice), 0);
+  EXPECT_EQ(presenter.drawn(Driver::frames), 3);
 }
 
 TEST_F(DriverPresenterTest, AFrameOfAnotherOrganIsNotTaken) {
@@ -77,10 +76,10 @@ TEST_F(DriverPresenterTest, AFrameOfAnotherOrganIsNotTaken) {
   presenter.showFrame(frameOf("heart"));
   document_.inspect({"liver", Driver::lattice, Colouring::own});
   presenter.restyle(document_);
-  EXPECT_EQ(presenter.drawn(Driver::lattice)->GetNumberOfCells(), 0);
+  EXPECT_EQ(presenter.drawn(Driver::lattice), 0);
   presenter.showFrame(frameOf(""));
   presenter.restyle(document_);
-  EXPECT_EQ(presenter.drawn(Driver::lattice)->GetNumberOfCells(), 0);
+  EXPECT_EQ(presenter.drawn(Driver::lattice), 0);
 }
 
 TEST_F(DriverPresenterTest, TheLegendNamesWhatIsDrawnAndWhatCarriesTheOrganInEachModel) {
@@ -90,7 +89,7 @@ TEST_F(DriverPresenterTest, TheLegendNamesWhatIsDrawnAndWhatCarriesTheOrganInEac
   document_.inspect({"liver", Driver::lattice | Driver::rays, Colouring::own});
   const LegendText text = legendFor(document_, frame.get(), nullptr, scale);
   EXPECT_EQ(text.title, "liver");
-  EXPECT_EQ(text.entries.size(), 2U);
+  EXPECT_EQ(text.entries.size(), 3U);
   ASSERT_EQ(text.notes.size(), 2);
   EXPECT_TRUE(text.notes[0].contains(QString::fromStdString(frame->drivers[0].jointName)));
   EXPECT_TRUE(text.notes[1].contains(QString::number(frame->drivers[1].controlPoints.size())))

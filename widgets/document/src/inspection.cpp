@@ -12,7 +12,8 @@ namespace {
 constexpr double skinOverDrivers = 0.10;
 constexpr double organOfDrivers = 0.5;
 constexpr double othersAround = 0.08;
-constexpr double overColours = 0.15;
+constexpr double skinOverColours = 0.12;
+constexpr double armorOverAll = 0.04;  // several layers of it lie over one another
 
 bool isOrgan(const study::Study& study, const std::string& structure) {
   return std::any_of(study.organs.begin(), study.organs.end(),
@@ -31,10 +32,10 @@ Appearance drawnAppearance(const StudyDocument& document, const std::string& str
       look.visible = true;
       atMost(organOfDrivers);
     } else {
-      atMost(structure == "body" ? skinOverDrivers : othersAround);
+      atMost(structure == "body" ? skinOverDrivers : organ ? othersAround : armorOverAll);
     }
   } else if (inspection.colouring != Colouring::own && !organ) {
-    atMost(overColours);
+    atMost(structure == "body" ? skinOverColours : armorOverAll);
   }
   return look;
 }

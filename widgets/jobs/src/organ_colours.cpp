@@ -1,7 +1,6 @@
 #include "lorica/jobs/organ_colours.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "lorica/parenting/skin_side.h"
 
@@ -12,9 +11,6 @@ namespace {
 using document::Colouring;
 using geometry::Vec3d;
 using geometry::Vec3f;
-
-/// Float positions leave shorter edges no digits; the audit's largest stretch leaves them out as well. Metres.
-constexpr float shortestEdge = 1e-4F;
 
 void compute(OrganColours& colours, const base::Progress& progress) {
   const Frame& frame = *colours.frame;
@@ -51,26 +47,25 @@ void compute(OrganColours& colours, const base::Progress& progress) {
 }  // namespace
 
 std::vector<float> edgeStrain(const geometry::TriangleMesh& rest, std::span<const Vec3f> posed) {
-  std::vector<float> factor(posed.size(), 1.0F);
-  const auto beyond = [](float one, float other) { return std::abs(std::log(one)) > std::abs(std::log(other)); };
+  std::vector<double> before(posed.size(), 0.0);
+  std::vector<double> now(posed.size(), 0.0);
   for (const geometry::Triangle& triangle : rest.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = triangle[k];
       const std::uint32_t b = triangle[(k + 1) % 3];
-      const float before = (rest.positions[a] - rest.positions[b]).norm();
-      if (before < shortestEdge) {
-        continue;
-      }
-      const float now = (posed[a] - posed[b]).norm() / before;
+      const double restLength = (rest.positions[a] - rest.positions[b]).norm();
+      const double length = (posed[a] - posed[b]).norm();
       for (const std::uint32_t v : {a, b}) {
-        factor[v] = beyond(now, factor[v]) ? now : factor[v];
+        before[v] += restLength;
+        now[v] += length;
       }
     }
   }
-  for (float& value : factor) {
-    value -= 1.0F;
+  std::vector<float> strain(posed.size(), 0.0F);
+  for (std::size_t v = 0; v < strain.size(); ++v) {
+    strain[v] = before[v] > 0.0 ? static_cast<float>(now[v] / before[v] - 1.0) : 0.0F;
   }
-  return factor;
+  return strain;
 }
 
 std::vector<float> protrusion(std::span<const Vec3f> points, const raycast::Scene& skin, base::Threads threads,

@@ -87,6 +87,12 @@ DriverLayout driverLayout(const analysis::LoadedStudy& study, std::size_t index,
   }
   std::sort(layout.sites.begin(), layout.sites.end());
   layout.sites.erase(std::unique(layout.sites.begin(), layout.sites.end()), layout.sites.end());
+  const std::vector<SkinSite>& sites =
+      model == OrganModel::dynamicThesis ? study.body->thesisSites() : study.body->sites();
+  const auto distance = [&](std::uint32_t site) { return (sites[site].rest - organ.reference).squaredNorm(); };
+  const auto middle = std::min_element(layout.sites.begin(), layout.sites.end(),
+                                       [&](std::uint32_t a, std::uint32_t b) { return distance(a) < distance(b); });
+  layout.middle = static_cast<std::size_t>(middle - layout.sites.begin());
   return layout;
 }
 

@@ -151,19 +151,18 @@ MeasureText textOf(Measure measure) {
       return {measure, Text::tr("Gap mm"),
               Text::tr("Mean distance that opened where the organ touched another one at rest."), Text::tr(" mm"), 2};
     case Measure::inverted:
-      return {
-          measure, Text::tr("Inverted cells"), Text::tr("Cells of the organ's lattice that turned inside out."), {}, 0};
+      return {measure, Text::tr("Inverted"), Text::tr("Cells of the organ's lattice that turned inside out."), {}, 0};
     case Measure::jacobian:
-      return {
-          measure,
-          Text::tr("Least Jacobian"),
-          Text::tr("Volume now over volume at rest where the lattice is squeezed most; 1 is no change, 0 or less is "
-                   "inside out."),
-          {},
-          3};
+      return {measure,
+              Text::tr("Jacobian"),
+              Text::tr("Smallest Jacobian: volume now over volume at rest where the lattice is squeezed most; 1 is no "
+                       "change, 0 or less is "
+                       "inside out."),
+              {},
+              3};
     case Measure::stretch:
       return {measure,
-              Text::tr("Largest stretch"),
+              Text::tr("Stretch"),
               Text::tr("Length now over length at rest of the edge of the organ's surface that is stretched most."),
               {},
               3};

@@ -26,6 +26,19 @@ double badness(const AuditColumn& column, const std::optional<double>& value) {
   return 0.0;
 }
 
+/// That of one column, then, where that is the same, of all the others in their order.
+std::vector<double> badness(const AuditTableData& table, const AuditRow& row, std::size_t first) {
+  std::vector<double> all;
+  const auto of = [&](std::size_t cell) {
+    return badness(table.columns[static_cast<std::size_t>(table.textColumns) + cell], row.cells[cell].value);
+  };
+  all.push_back(of(first));
+  for (std::size_t cell = 0; cell < row.cells.size(); ++cell) {
+    all.push_back(of(cell));
+  }
+  return all;
+}
+
 /// No "-0.00".
 QString written(double value, int decimals) {
   const QString text = fixed(value, decimals);
@@ -44,7 +57,6 @@ void AuditTable::setData(AuditTableData data) {
 
 std::vector<bool> AuditTable::worstRows(int column) const {
   LORICA_CHECK(column >= data_.textColumns && column < columnCount(), "a column of numbers is needed");
-  const AuditColumn& what = data_.columns[static_cast<std::size_t>(column)];
   const auto at = static_cast<std::size_t>(column - data_.textColumns);
   // By everything but the pose.
   std::map<QStringList, std::size_t> worst;
@@ -52,7 +64,7 @@ std::vector<bool> AuditTable::worstRows(int column) const {
     const AuditRow& row = data_.rows[r];
     const auto [known, isNew] = worst.emplace(row.texts.mid(0, poseColumn()), r);
     const AuditRow& other = data_.rows[known->second];
-    if (!isNew && badness(what, row.cells[at].value) > badness(what, other.cells[at].value)) {
+    if (!isNew && badness(data_, row, at) > badness(data_, other, at)) {
       known->second = r;
     }
   }

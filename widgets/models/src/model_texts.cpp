@@ -43,8 +43,8 @@ std::array<ColouringText, 3> colouringTexts() {
   using document::Colouring;
   return {{{Colouring::own, Text::tr("Which organ it is"), Text::tr("Every organ has a colour of its own.")},
            {Colouring::strain, Text::tr("Edge stretch"),
-            Text::tr("How much longer or shorter than at rest the edges of the organ's surface are. At each vertex "
-                     "that edge counts which changed most.")},
+            Text::tr("How much longer or shorter than at rest the edges of the organ's surface are, those at one "
+                     "vertex together.")},
            {Colouring::protrusion, Text::tr("Depth beyond the skin"),
             Text::tr("How far the organ reaches out of the posed skin.")}}};
 }

@@ -6,6 +6,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
@@ -36,6 +37,7 @@ namespace {
 
 constexpr int restMs = 400;  ///< without a change until measuring is worth its while
 constexpr int progressSteps = 1000;
+constexpr int chartWidth = 360;
 
 QString shown(const std::string& text) {
   return QString::fromStdString(text);
@@ -101,8 +103,9 @@ DeformationPanel::DeformationPanel(StudyDocument& document, QWidget* parent)
   auto* split = new QSplitter(this);
   split->addWidget(tabs_);
   split->addWidget(makeChart());
-  split->setStretchFactor(0, 5);
-  split->setStretchFactor(1, 3);
+  split->setStretchFactor(0, 2);
+  split->setStretchFactor(1, 1);
+  split->setSizes({2 * chartWidth, chartWidth});
   pages_->addWidget(emptyPage);
   pages_->addWidget(split);
   auto* column = new QVBoxLayout(this);
@@ -141,9 +144,9 @@ DeformationPanel::~DeformationPanel() = default;
 
 QWidget* DeformationPanel::makeHeader() {
   auto* header = new QWidget(this);
-  auto* column = new QVBoxLayout(header);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(panelMargin);
+  auto* row = new QHBoxLayout(header);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2 * panelMargin);
   caption_ = new QLabel(this);
   caption_->setWordWrap(true);
   caption_->setTextFormat(Qt::PlainText);
@@ -181,8 +184,8 @@ QWidget* DeformationPanel::makeHeader() {
   auto* copyButton = button(tr("Copy as CSV"), "copy",
                             tr("Copy the rows that are shown, in the form of "
                                "deformation.csv or contacts.csv"));
-  column->addWidget(bar);
-  column->addWidget(caption_);
+  row->addWidget(bar, 1);
+  row->addWidget(caption_, 1);
   connect(pose_, &QPushButton::clicked, this, &DeformationPanel::measurePose);
   connect(all_, &QPushButton::clicked, this, &DeformationPanel::measureAllPoses);
   connect(stop_, &QPushButton::clicked, this, [this] {
@@ -201,7 +204,7 @@ QWidget* DeformationPanel::makeChart() {
   chart_ = new QChartView(figure_, this);
   chart_->setRenderHint(QPainter::Antialiasing);
   chart_->setFrameShape(QFrame::StyledPanel);
-  chart_->setMinimumSize(0, 0);
+  chart_->setMinimumSize(chartWidth / 2, 0);
   figure_->setColours(palette().color(QPalette::Base), palette().color(QPalette::Text));
   connect(figure_, &BarFigure::hovered, this, [this](const QString& text) {
     if (text.isEmpty()) {

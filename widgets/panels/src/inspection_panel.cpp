@@ -3,6 +3,7 @@
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QGridLayout>
 #include <QLabel>
 #include <QRadioButton>
 #include <QScrollArea>
@@ -33,7 +34,7 @@ InspectionPanel::InspectionPanel(document::StudyDocument& document, QWidget* par
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
   column->addWidget(makeDrivers());
-  column->addSpacing(2 * panelMargin);
+  column->addSpacing(panelMargin);
   column->addWidget(makeColours());
   column->addStretch(1);
   auto* scroll = new QScrollArea(this);
@@ -66,11 +67,16 @@ QWidget* InspectionPanel::makeDrivers() {
   organ_->setObjectName(QStringLiteral("inspected_organ"));
   column->addWidget(organ_);
   connect(organ_, &QComboBox::currentIndexChanged, this, &InspectionPanel::take);
+  auto* boxes = new QGridLayout;
+  boxes->setHorizontalSpacing(2 * panelMargin);
+  boxes->setVerticalSpacing(panelMargin / 2);
+  column->addLayout(boxes);
   const auto texts = models::driverTexts();
   for (std::size_t d = 0; d < texts.size(); ++d) {
     drivers_[d] = new QCheckBox(texts[d].label, this);
     drivers_[d]->setToolTip(texts[d].tip);
-    column->addWidget(drivers_[d]);
+    const int at = static_cast<int>(d);
+    boxes->addWidget(drivers_[d], at / 2, at % 2);
     connect(drivers_[d], &QCheckBox::toggled, this, &InspectionPanel::take);
   }
   return group;
@@ -82,6 +88,7 @@ QWidget* InspectionPanel::makeColours() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(panelMargin);
   column->addWidget(heading(tr("What the colours of organs say"), this));
+  column->setSpacing(panelMargin / 2);
   colours_ = new QButtonGroup(this);
   for (const models::ColouringText& text : models::colouringTexts()) {
     auto* button = new QRadioButton(text.label, this);

@@ -19,7 +19,7 @@ struct ColourScale {
   double low() const { return what == document::Colouring::strain ? -end : 0.0; }
 };
 
-/// The scale for values: its end is 1, 2 or 5 times a power of ten, beyond all but one in a hundred of the values that
+/// The scale for values: its end is a round number beyond all but one in a hundred of the values that
 /// are not zero, so that a single bad triangle does not pale all the others. At least 5 % and 1 mm.
 ColourScale scaleFor(document::Colouring what, std::span<const std::span<const float>> values);
 

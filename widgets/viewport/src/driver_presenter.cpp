@@ -23,12 +23,15 @@ struct Style {
   bool isLine;
 };
 
-constexpr double axisShare = 0.35;    ///< length of an axis, of the spacing of sites
-constexpr float jointAxis = 0.10F;    ///< metres
+constexpr double axisShare = 0.3;     ///< length of an axis, of the spacing of sites
+constexpr double middleShare = 1.0;   ///< likewise, of the site in the middle
+constexpr double jointAxis = 0.10;    ///< metres
 constexpr double dotsPerInch = 72.0;  ///< of a screen at 100 %, as VTK has it
 
+}  // namespace
+
 /// Puts points and the lines or dots of them together.
-class Drawing {
+class DriverPresenter::Drawing {
  public:
   vtkIdType point(const Vec3f& place) { return points_->InsertNextPoint(place.data()); }
   void dot(const Vec3f& place) {
@@ -47,6 +50,11 @@ class Drawing {
                                            static_cast<unsigned char>(colour.blue())};
     colours_->InsertNextTypedTuple(rgb.data());
   }
+  void axes(const jobs::DriverFrame& frame, double length) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      line(frame.origin, frame.origin + static_cast<float>(length) * frame.axes[axis], axisColours[axis]);
+    }
+  }
   void giveTo(vtkPolyData* data) {
     data->SetPoints(points_);
     data->SetVerts(dots_);
@@ -60,14 +68,6 @@ class Drawing {
   vtkNew<vtkCellArray> lines_;
   vtkNew<vtkUnsignedCharArray> colours_;
 };
-
-void addAxes(Drawing& drawing, const jobs::DriverFrame& frame, float length) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    drawing.line(frame.origin, frame.origin + length * frame.axes[axis], axisColours[axis]);
-  }
-}
-
-}  // namespace
 
 DriverPresenter::DriverPresenter(vtkRenderer* renderer, std::size_t model) : Presenter(renderer), model_(model) {
   for (Drawn& layer : layers_) {
@@ -87,31 +87,41 @@ DriverPresenter::~DriverPresenter() {
   }
 }
 
-vtkPolyData* DriverPresenter::drawn(Driver driver) const {
+vtkIdType DriverPresenter::drawn(Driver driver) const {
+  const auto cells = [this](std::initializer_list<Layer> layers) {
+    vtkIdType sum = 0;
+    for (const Layer layer : layers) {
+      sum += layers_[layer].data->GetNumberOfCells();
+    }
+    return sum;
+  };
   switch (driver) {
     case Driver::lattice:
-      return layers_[edges].data;
+      return cells({edges});
     case Driver::controlPoints:
-      return layers_[points].data;
+      return cells({points});
     case Driver::sites:
-      return layers_[sites].data;
+      return cells({sites, otherSites});
     case Driver::rays:
-      return layers_[rays].data;
+      return cells({rays, otherRays});
     case Driver::frames:
-      return layers_[axes].data;
+      return cells({axes, otherAxes});
   }
-  return nullptr;
+  return 0;
 }
 
 /// Lines and points are as large to the eye on every screen.
 void DriverPresenter::scaleToScreen() {
-  const std::array<Style, layerTotal> styles{{{latticeColour, 1.3F, true},
-                                              {controlPointColour, 6.0F, false},
-                                              {siteColour, 8.0F, false},
-                                              {otherSiteColour, 4.0F, false},
-                                              {rayColour, 1.3F, true},
-                                              {rayColour, 5.0F, false},
-                                              {Qt::black, 2.2F, true}}};
+  std::array<Style, layerTotal> styles;
+  styles[edges] = {latticeColour, 1.3F, true};
+  styles[points] = {controlPointColour, 6.0F, false};
+  styles[otherSites] = {otherSiteColour, 4.0F, false};
+  styles[sites] = {siteColour, 8.0F, false};
+  styles[otherRays] = {otherRayColour, 1.0F, true};
+  styles[rays] = {rayColour, 2.4F, true};
+  styles[anchors] = {rayColour, 8.0F, false};
+  styles[otherAxes] = {Qt::black, 1.6F, true};
+  styles[axes] = {Qt::black, 3.0F, true};
   vtkRenderWindow* window = renderer()->GetRenderWindow();
   const double scale = window == nullptr ? 1.0 : window->GetDPI() / dotsPerInch;
   for (std::size_t l = 0; l < styles.size(); ++l) {
@@ -128,14 +138,44 @@ void DriverPresenter::scaleToScreen() {
   }
 }
 
+void DriverPresenter::buildSites(std::array<Drawing, layerTotal>& drawings, document::Drivers shown) const {
+  const jobs::OrganDrivers& drivers = frame_->drivers[model_];
+  const double spacing = frame_->study->study.siteSpacing;
+  if (shown.testFlag(Driver::sites)) {
+    for (const Vec3f& place : drivers.otherSites) {
+      drawings[otherSites].dot(place);
+    }
+  }
+  for (std::size_t s = 0; s < drivers.sites.size(); ++s) {
+    const jobs::DriverSite& site = drivers.sites[s];
+    const bool middle = s == drivers.layout->middle;
+    if (shown.testFlag(Driver::sites)) {
+      drawings[sites].dot(site.frame.origin);
+    }
+    if (shown.testFlag(Driver::frames)) {
+      drawings[middle ? axes : otherAxes].axes(site.frame, (middle ? middleShare : axisShare) * spacing);
+    }
+    for (const Vec3f& anchor : site.anchors) {
+      if (shown.testFlag(Driver::rays)) {
+        Drawing& drawing = drawings[middle ? rays : otherRays];
+        drawing.line(drawing.point(site.frame.origin), drawing.point(anchor));
+        if (middle) {
+          drawings[anchors].dot(anchor);
+        }
+      }
+    }
+  }
+  if (drivers.joint && shown.testFlag(Driver::frames)) {
+    drawings[axes].axes(*drivers.joint, jointAxis);
+  }
+}
+
 void DriverPresenter::restyle(const document::StudyDocument& document) {
   std::array<Drawing, layerTotal> drawings;
   const document::Inspection& inspection = document.inspection();
   if (frame_ != nullptr && inspection.showsDrivers() && frame_->driversOf == inspection.organ) {
     const jobs::OrganDrivers& drivers = frame_->drivers[model_];
-    const auto shows = [&](Driver driver) { return inspection.drivers.testFlag(driver); };
-    const auto axis = static_cast<float>(axisShare * frame_->study->study.siteSpacing);
-    if (shows(Driver::lattice)) {
+    if (inspection.drivers.testFlag(Driver::lattice)) {
       for (const Vec3f& place : drivers.controlPoints) {
         drawings[edges].point(place);
       }
@@ -143,33 +183,12 @@ void DriverPresenter::restyle(const document::StudyDocument& document) {
         drawings[edges].line(from, to);
       }
     }
-    if (shows(Driver::controlPoints)) {
+    if (inspection.drivers.testFlag(Driver::controlPoints)) {
       for (const Vec3f& place : drivers.controlPoints) {
         drawings[points].dot(place);
       }
     }
-    if (shows(Driver::sites)) {
-      for (const Vec3f& place : drivers.otherSites) {
-        drawings[otherSites].dot(place);
-      }
-    }
-    for (const jobs::DriverSite& site : drivers.sites) {
-      if (shows(Driver::sites)) {
-        drawings[sites].dot(site.frame.origin);
-      }
-      if (shows(Driver::frames)) {
-        addAxes(drawings[axes], site.frame, axis);
-      }
-      for (const Vec3f& anchor : site.anchors) {
-        if (shows(Driver::rays)) {
-          drawings[rays].line(drawings[rays].point(site.frame.origin), drawings[rays].point(anchor));
-          drawings[anchors].dot(anchor);
-        }
-      }
-    }
-    if (drivers.joint && shows(Driver::frames)) {
-      addAxes(drawings[axes], *drivers.joint, jointAxis);
-    }
+    buildSites(drawings, inspection.drivers);
   }
   for (std::size_t l = 0; l < layers_.size(); ++l) {
     drawings[l].giveTo(layers_[l].data);

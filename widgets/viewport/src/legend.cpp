@@ -15,7 +15,7 @@ using Entry = LegendText::Entry;
 
 constexpr int margin = 10;
 constexpr int barPixels = 190;
-constexpr int widest = 340;
+constexpr int widest = 400;
 const QColor paper(255, 255, 255, 225);
 const QColor frameColour(0, 0, 0, 60);
 const QColor ink(40, 44, 50);
@@ -128,6 +128,7 @@ void Legend::paintBar(QPainter& painter, int y) const {
     painter.fillRect(strip.left() + x, strip.top(), 1, strip.height(), bar.scale.at(value));
   }
   painter.setPen(frameColour);
+  painter.setBrush(Qt::NoBrush);
   painter.drawRect(strip);
   y += lineHeight() - 2;
   painter.setPen(ink);

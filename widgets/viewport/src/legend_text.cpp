@@ -45,8 +45,9 @@ void addDrivers(LegendText& legend, const document::Inspection& inspection, cons
   add(Driver::controlPoints, Mark::dot, controlPointColour, QObject::tr("control point"));
   add(Driver::sites, Mark::dot, siteColour, QObject::tr("interior site that drives it"));
   add(Driver::sites, Mark::smallDot, otherSiteColour, QObject::tr("other interior site"));
-  add(Driver::rays, Mark::line, rayColour, QObject::tr("anchor rays, from site to skin"));
-  add(Driver::frames, Mark::axes, Qt::black, QObject::tr("reference frame of a site"));
+  add(Driver::rays, Mark::line, rayColour, QObject::tr("anchor rays of the site in its middle"));
+  add(Driver::rays, Mark::line, otherRayColour, QObject::tr("anchor rays of the others"));
+  add(Driver::frames, Mark::axes, Qt::black, QObject::tr("reference frames of sites or joint"));
   for (const jobs::OrganDrivers& drivers : frame.drivers) {
     const QString note = driverNote(drivers);
     legend.notes << (frame.drivers.size() == 1

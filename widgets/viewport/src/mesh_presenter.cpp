@@ -56,7 +56,10 @@ void MeshPresenter::restyle(const document::StudyDocument& document) {
     property->SetColor(colour.redF(), colour.greenF(), colour.blueF());
     property->SetOpacity(look.opacity);
     // A selected structure glows a little, whatever its colour.
-    property->SetAmbient(selected ? 0.55 : 0.15);
+    const bool coloured = document.inspection().colouring != document::Colouring::own;
+    // Where colours are numbers, light must not change them much.
+    property->SetAmbient(coloured ? (selected ? 0.45 : 0.30) : (selected ? 0.55 : 0.15));
+    property->SetDiffuse(coloured ? 0.70 : 0.85);
     property->SetAmbientColor(selected ? 1.0 : colour.redF(), selected ? 0.85 : colour.greenF(),
                               selected ? 0.2 : colour.blueF());
   }

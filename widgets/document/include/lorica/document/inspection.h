@@ -28,7 +28,7 @@ Q_DECLARE_OPERATORS_FOR_FLAGS(Drivers)
 /// What the colours of organs say.
 enum class Colouring {
   own,        ///< which organ it is
-  strain,     ///< how much the edge at a vertex that changed most is longer than at rest
+  strain,     ///< how much longer than at rest the edges at a vertex are
   protrusion  ///< how deep a vertex lies beyond the posed skin
 };
 

@@ -23,8 +23,9 @@ struct OrganColours {
   QString trouble;  ///< why there are no values, one sentence
 };
 
-/// For each vertex the strain (posed over rest length, less 1) of that edge at it whose length changed by the greatest
-/// factor, of edges of 0.1 mm or more at rest; 0 for vertices without one. Cost: linear.
+/// For each vertex the strain of the edges at it: their length together, posed over rest, less 1. That changes smoothly
+/// along a surface and keeps its sign; what one direction gains and another loses cancels out. 0 for vertices without an
+/// edge. Cost: linear.
 /// \pre as many posed as rest vertices
 std::vector<float> edgeStrain(const geometry::TriangleMesh& rest, std::span<const geometry::Vec3f> posed);
 

@@ -18,6 +18,7 @@ struct DriverLayout {
   viscera::OrganModel model = viscera::OrganModel::dynamic;
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< of cells that hold a vertex, each once: pairs of control points
   std::vector<std::uint32_t> sites;                 ///< sites that carry a control point, rising
+  std::size_t middle = 0;                           ///< index into `sites` of that nearest to the organ's middle
   bool byJoint = false;                             ///< one joint carries it, rigidly
 };
 

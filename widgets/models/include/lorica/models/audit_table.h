@@ -75,8 +75,8 @@ class AuditTable : public QAbstractTableModel {
   const AuditTableData& table() const { return data_; }
   int modelColumn() const { return data_.textColumns - 2; }
   int poseColumn() const { return data_.textColumns - 1; }
-  /// Of each thing and model the row that is worst in a column; the first of equally bad ones. Rows without a number
-  /// are worst only where there is no other. \pre a column of numbers
+  /// Of each thing and model the row that is worst in a column; of equally bad ones that which is worse in the first of
+  /// the other columns. Rows without a number are worst only where there is no other. \pre a column of numbers
   std::vector<bool> worstRows(int column) const;
   /// These rows exactly as they stand in the file, with its header.
   QByteArray csv(const std::vector<int>& rows) const;
