@@ -92,6 +92,7 @@ void MainWindow::makeViewMenu() {
   look(tr("From &above"), "5", StandardView::top);
   look(tr("From b&elow"), "6", StandardView::bottom);
   menu->addAction(tr("&Whole body"), QKeySequence(tr("F")), view_, &viewport::SceneView::fit);
+  menu->addAction(tr("&Selected structure"), QKeySequence(tr("Shift+F")), view_, &viewport::SceneView::fitSelection);
   menu->addSeparator();
   for (QAction* action : {timeline_->playAction(), timeline_->stepBackAction(), timeline_->stepForwardAction()}) {
     menu->addAction(action);

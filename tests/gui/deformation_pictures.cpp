@@ -4,9 +4,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
-#include <QMouseEvent>
 #include <QTest>
-#include <QWheelEvent>
 #include <cstdio>
 
 #include "look.h"
@@ -29,23 +27,6 @@ void raise(MainWindow& window, const char* dock) {
       one->raise();
     }
   }
-}
-
-/// Brings the trunk near: the wheel, then a drag with the middle button.
-void comeNear(MainWindow& window) {
-  auto* canvas = window.view().findChild<QWidget*>();
-  const QPointF middle = canvas->rect().center();
-  for (int i = 0; i < 9; ++i) {
-    QWheelEvent turn(middle, canvas->mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
-                     false);
-    QApplication::sendEvent(canvas, &turn);
-  }
-  const QPoint from = middle.toPoint();
-  const QPoint to = from + QPoint(0, canvas->height() / 2);
-  QTest::mousePress(canvas, Qt::MiddleButton, {}, from);
-  QMouseEvent move(QEvent::MouseMove, to, canvas->mapToGlobal(to), Qt::NoButton, Qt::MiddleButton, Qt::NoModifier);
-  QApplication::sendEvent(canvas, &move);
-  QTest::mouseRelease(canvas, Qt::MiddleButton, {}, to);
 }
 
 }  // namespace
@@ -74,7 +55,9 @@ int main(int argc, char** argv) {
   };
   photographer.settle("rest");
   raise(window, "inspect");
-  comeNear(window);
+  window.document().select(lorica::document::ItemRef{lorica::document::ItemKind::organ, organ});
+  window.view().fitSelection();
+  window.document().select(std::nullopt);
   inspect(Driver::lattice | Driver::controlPoints, Colouring::own);
   photographer.take("lattice_rest");
   inspect(Driver::sites | Driver::rays | Driver::frames, Colouring::own);

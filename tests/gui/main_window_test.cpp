@@ -15,6 +15,7 @@
 #include <QProcess>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -27,6 +28,7 @@
 #include "lorica/commands/edits.h"
 #include "lorica/dialogs/human_dialog.h"
 #include "lorica/dialogs/import_dialog.h"
+#include "lorica/document/appearance.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/primitives.h"
 #include "lorica/io/export.h"
@@ -704,6 +706,22 @@ TEST_F(Window, TwoRecentStudiesOfOneNameAreToldApartByTheirFolders) {
   EXPECT_LE(metrics.horizontalAdvance(deep), 400);
   EXPECT_TRUE(deep.endsWith("/last")) << deep.toStdString();
   EXPECT_TRUE(recentText(QDir::homePath() + "/s/sample.lorica.json", metrics, 400).contains("~/s"));
+}
+
+TEST_F(Window, TheSelectedOrganFillsTheView) {
+  open();
+  window_.document().select(ItemRef{ItemKind::organ, "bladder"});
+  const QImage whole = picture();
+  window_.view().fitSelection();
+  const QImage near = picture();
+  EXPECT_GT(differing(whole, near), 20000);
+  std::vector<std::string> others = document::drawnStructures(window_.document().study());
+  std::erase(others, "bladder");
+  commands::setAllVisible(window_.document(), others, false, "Hide the others");
+  window_.document().select(std::nullopt);
+  auto* canvas = window_.view().findChild<QWidget*>();
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->rect().center());
+  EXPECT_EQ(window_.document().selection(), (ItemRef{ItemKind::organ, "bladder"})) << "in the middle of the picture";
 }
 
 TEST_F(Window, ShotsAreDrawnUpToTheLimitAndFilteredByWhatTheyMeet) {

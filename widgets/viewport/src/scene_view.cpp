@@ -384,6 +384,39 @@ void SceneView::fit() {
   for (std::size_t p = 0; p < impl_->frame->study->pieces.size(); ++p) {
     box.extend(geometry::bounds(impl_->frame->scene->piece(p)));
   }
+  fitTo(box);
+}
+
+void SceneView::fitSelection() {
+  const auto& selection = document_.selection();
+  if (impl_->frame == nullptr || !selection) {
+    fit();
+    return;
+  }
+  geometry::Box3d box;
+  const analysis::LoadedStudy& study = *impl_->frame->study;
+  const analysis::PosedScene& scene = *impl_->frame->scene;
+  for (std::size_t o = 0; o < study.organs.size(); ++o) {
+    for (std::size_t m = 0; m < scene.models().size(); ++m) {
+      if (selection->kind == document::ItemKind::organ && study.organs[o]->name == selection->name) {
+        box.extend(geometry::bounds(scene.organ(o, m)));
+      }
+    }
+  }
+  for (std::size_t p = 0; p < study.pieces.size(); ++p) {
+    if (selection->kind == document::ItemKind::piece && study.pieces[p]->name == selection->name) {
+      box.extend(geometry::bounds(scene.piece(p)));
+    }
+  }
+  if (box.isEmpty()) {
+    fit();
+    return;
+  }
+  const Vec3d around = 0.35 * box.sizes();
+  fitTo(geometry::Box3d(box.min() - around, box.max() + around));
+}
+
+void SceneView::fitTo(const geometry::Box3d& box) {
   vtkCamera* camera = impl_->camera;
   const Vec3d middle = box.center();
   const Vec3d direction(camera->GetDirectionOfProjection());

@@ -39,6 +39,8 @@ class SceneView : public QWidget {
   void lookFrom(StandardView view);
   /// Moves the camera so that the whole body is seen.
   void fit();
+  /// The same for the organ or piece that is selected, with what is around it; the whole body where none is.
+  void fitSelection();
   /// Which shots of the frames are drawn, by what they met: "" all, "hits", "miss", "body", "armor", "organs" or
   /// a structure.
   void setShotFilter(const std::string& met);
@@ -70,6 +72,7 @@ class SceneView : public QWidget {
   void followColours();
   void showColours();
   void placeLegend();
+  void fitTo(const geometry::Box3d& box);
   void click(const QPointF& place);
   void scheduleDrawing();
   void draw();
