@@ -150,6 +150,7 @@ QWidget* DeformationPanel::makeHeader() {
   caption_ = new QLabel(this);
   caption_->setWordWrap(true);
   caption_->setTextFormat(Qt::PlainText);
+  caption_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* bar = new QWidget(this);
   auto* flow = new FlowLayout(bar);
   const auto button = [&](const QString& text, const char* name, const QString& tip) {
@@ -184,8 +185,8 @@ QWidget* DeformationPanel::makeHeader() {
   auto* copyButton = button(tr("Copy as CSV"), "copy",
                             tr("Copy the rows that are shown, in the form of "
                                "deformation.csv or contacts.csv"));
-  row->addWidget(bar, 1);
-  row->addWidget(caption_, 1);
+  row->addWidget(bar, 3);
+  row->addWidget(caption_, 2);
   connect(pose_, &QPushButton::clicked, this, &DeformationPanel::measurePose);
   connect(all_, &QPushButton::clicked, this, &DeformationPanel::measureAllPoses);
   connect(stop_, &QPushButton::clicked, this, [this] {
@@ -376,7 +377,7 @@ void DeformationPanel::updateCaption() {
   if (!spansPoses() && tables.restRoom && tables.rooms.front() && tables.restRoom->torso > 0.0) {
     const double change = 100.0 * (tables.rooms.front()->torso / tables.restRoom->torso - 1.0);
     text +=
-        " " + tr("The skin of the torso leaves %1%2 % of its room at rest.")
+        " " + tr("The room inside the skin of the torso changes by %1%2 %.")
                   .arg(change < 0.0 ? QString(QChar(0x2212)) : QStringLiteral("+"), models::fixed(std::abs(change), 1));
   }
   if (report_->study != document_.loaded()) {

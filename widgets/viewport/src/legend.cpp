@@ -64,7 +64,8 @@ int Legend::width() const {
     wide = std::max(
         {wide, fontMetrics().horizontalAdvance(text_.bar->title), fontMetrics().horizontalAdvance(text_.bar->note)});
   }
-  return std::min(wide, widest);
+  // A little more than the text, which else may be wrapped.
+  return std::min(wide + 4, widest);
 }
 
 QSize Legend::sizeHint() const {
