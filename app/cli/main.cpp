@@ -22,7 +22,7 @@ void addRun(CLI::App& app, int& code) {
   auto* command = app.add_subcommand("run", "run a study: coverage per structure, pose, model and armor system");
   auto arguments = std::make_shared<RunArguments>();
   command->add_option("STUDY", arguments->study, "the study (*.lorica.json)")->required();
-  command->add_option("--out", arguments->out, "folder for summary.csv, trials.csv and provenance.json")->required();
+  command->add_option("--out", arguments->out, "folder for the tables and provenance.json")->required();
   command->add_option("--threads", arguments->threads, "threads to use (default: all)")->check(CLI::Range(1, 1024));
   command->add_option("--seed", arguments->seed, "seed of the shots (default: the study's)")
       ->check([](const std::string& text) {

@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "console.h"
+#include "deformation_table.h"
 #include "lorica/analysis/results.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
@@ -77,6 +78,7 @@ int runStudy(const RunArguments& arguments) {
   if (!arguments.quiet) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{}\n", summaryTable(result, analysis::summaryRows(study, result)));
+    fmt::print("{}\n", deformationTable(analysis::deformationTables(study, result)));
     sayWhatWasShot(result);
     fmt::print(
         "{} in {:.1f} s; summary.csv, trials.csv, deformation.csv, contacts.csv, room.csv and provenance.json are in "

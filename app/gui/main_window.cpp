@@ -370,7 +370,7 @@ void MainWindow::saveTables(const std::shared_ptr<const document::RunRecord>& ru
   if (run == nullptr) {
     return;
   }
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for summary.csv and the other tables"));
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the tables and provenance.json"));
   if (folder.isEmpty()) {
     return;
   }

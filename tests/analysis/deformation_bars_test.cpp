@@ -255,6 +255,9 @@ std::vector<Bars> measureAndPrint(const LoadedStudy& study, const std::string& b
                     b.softChange, b.inverted, b.smallestJacobian, b.stretch, worst.perDegree, worst.jump));
     print(fmt::format("                worst: outside {}; protrusion {}; overlap {}; gap {}; solid {}; soft {}",
                       b.outsidePose, b.protrusionOf, b.overlapPose, b.gapPose, b.solidOf, b.softOf));
+    const auto less = [](double value, double rigid) { return rigid > 0.0 ? 100.0 * (1.0 - value / rigid) : 0.0; };
+    print(fmt::format("                less than static_joint: overlap {:.1f} %, gap {:.1f} %",
+                      less(b.overlap, bars[0].overlap), less(b.gap, bars[0].gap)));
   }
   return bars;
 }

@@ -43,6 +43,11 @@ TEST_F(Commands, RunLeavesThreeFilesWithThePromisedColumns) {
       "coverage,coverage_lo,coverage_hi\n";
   EXPECT_TRUE(read("out/summary.csv").starts_with("source,system,model,pose," + columns));
   EXPECT_TRUE(read("out/trials.csv").starts_with("source,system,model,pose,trial," + columns));
+  EXPECT_TRUE(read("out/deformation.csv")
+                  .starts_with("structure,model,pose,volume_change_pct,outside_skin_pct,protrusion_mm,overlap_cm3,"
+                               "gap_mm,inverted_cells,min_jacobian,max_stretch"));
+  EXPECT_TRUE(read("out/contacts.csv").starts_with("structure_a,structure_b,model,pose,overlap_cm3,gap_mm"));
+  EXPECT_TRUE(read("out/room.csv").starts_with("pose,skin_l,"));
   const auto provenance = nlohmann::json::parse(read("out/provenance.json"));
   EXPECT_EQ(provenance["partial"], false);
   EXPECT_EQ(provenance["seed"], 1);
@@ -57,7 +62,8 @@ TEST_F(Commands, RunGivesTheSameBytesAtOneTwoAndFiveThreads) {
                   .code,
               0);
   }
-  for (const std::string file : {"summary.csv", "trials.csv", "provenance.json"}) {
+  for (const std::string file :
+       {"summary.csv", "trials.csv", "deformation.csv", "contacts.csv", "room.csv", "provenance.json"}) {
     EXPECT_EQ(read("out1/" + file), read("out2/" + file));
     EXPECT_EQ(read("out1/" + file), read("out5/" + file));
     EXPECT_FALSE(read("out1/" + file).empty());
@@ -152,6 +158,7 @@ TEST_F(Commands, ARunThatCannotWriteAllItsTablesWritesNone) {
                      {"provenance.json"});
   EXPECT_FALSE(exists("out/summary.csv"));
   EXPECT_FALSE(exists("out/trials.csv"));
+  EXPECT_FALSE(exists("out/deformation.csv"));
 }
 
 TEST_F(Commands, InterruptStopsWithinASecondAndLeavesAResultThatSaysItIsPartial) {

@@ -351,7 +351,8 @@ TEST_F(Window, ARunGivesTheTableOfTheCommandLineByteForByte) {
   const QString own = folder_.filePath("own");
   const document::RunRecord& run = *window_.document().runs().front();
   analysis::writeResults(*run.study, run.result, own.toStdString());
-  for (const char* name : {"/summary.csv", "/trials.csv", "/provenance.json"}) {
+  for (const char* name :
+       {"/summary.csv", "/trials.csv", "/deformation.csv", "/contacts.csv", "/room.csv", "/provenance.json"}) {
     EXPECT_EQ(bytesOf(own + name), bytesOf(out + name)) << name;
   }
 }

@@ -1,5 +1,7 @@
 #include "lorica/manikin/test_cases.h"
 
+#include <numbers>
+
 #include "lorica/base/error.h"
 #include "lorica/geometry/primitives.h"
 
@@ -39,8 +41,14 @@ geometry::TriangleMesh forearmBox(const Body& body) {
   const double size = body.person.stature / 1.755;
   const Vec3d elbow = jointOf(body, "elbow_L");
   const Vec3d wrist = jointOf(body, "wrist_L");
-  const geometry::Mat3d turn = geometry::Quatd::FromTwoVectors(Vec3d::UnitY(), elbow - wrist).toRotationMatrix();
-  return placedBox(Vec3d(0.024, 0.080, 0.024) * size, turn, elbow + 0.60 * (wrist - elbow));
+  // Flat, nearly as wide as the forearm there, and across its thickest part: what turns farther than the skin comes
+  // out of it.
+  const Vec3d along = (wrist - elbow).normalized();
+  const Vec3d sideways = along.cross(Vec3d::UnitZ()).normalized();
+  const Vec3d width = Eigen::AngleAxisd(2.0 / 3.0 * std::numbers::pi, along) * sideways;
+  geometry::Mat3d turn;
+  turn << width, along, along.cross(width) * -1.0;
+  return placedBox(Vec3d(0.050, 0.060, 0.010) * size, turn, elbow + 0.55 * (wrist - elbow) - 0.008 * size * width);
 }
 
 }  // namespace lorica::manikin

@@ -73,7 +73,7 @@ QWidget* ResultsPanel::makeHeader() {
   auto* copy = new QPushButton(tr("Copy as CSV"), this);
   copy->setToolTip(tr("Copy all rows that are shown, in the form of summary.csv"));
   auto* save = new QPushButton(tr("Save tables..."), this);
-  save->setToolTip(tr("Write summary.csv, trials.csv and provenance.json of this run"));
+  save->setToolTip(tr("Write the tables of coverage and deformation and provenance.json of this run"));
   bar->addWidget(runs_);
   bar->addWidget(summary_, 1);
   bar->addWidget(copy);

@@ -11,7 +11,7 @@ namespace lorica::manikin {
 /// A cube of 40 mm under the skin of the back, beside the left shoulder blade.
 geometry::TriangleMesh shoulderCube(const Body& body);
 
-/// A box of 80 x 24 x 24 mm along the left forearm, nearer to the wrist than to the elbow.
+/// A flat box of 60 x 50 x 10 mm in the middle of the left forearm, nearly as wide as the forearm is there.
 geometry::TriangleMesh forearmBox(const Body& body);
 
 }  // namespace lorica::manikin
