@@ -7,7 +7,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
-#include <QMenuBar>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
@@ -15,9 +15,7 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QToolButton>
-#include <QUndoStack>
 #include <QVBoxLayout>
 
 #include "lorica/analysis/results.h"
@@ -26,9 +24,7 @@
 #include "lorica/dialogs/file_kinds.h"
 #include "lorica/dialogs/human_dialog.h"
 #include "lorica/dialogs/import_dialog.h"
-#include "lorica/study/provenance.h"
 #include "lorica/study/study_file.h"
-#include "model_chooser.h"
 #include "welcome_page.h"
 
 namespace lorica::gui {
@@ -39,6 +35,7 @@ namespace fs = std::filesystem;
 using document::StudyDocument;
 
 constexpr int recentLimit = 8;
+constexpr int recentWidth = 560;
 constexpr int statusSeconds = 8;
 constexpr int belowHeight = 300;  ///< of the panels below the view when they open
 
@@ -105,126 +102,27 @@ void MainWindow::makePanels() {
   results_ = new panels::ResultsPanel(document_);
   chart_ = new panels::CoverageChart;
   problems_ = new panels::ProblemsPanel(document_);
+  inspection_ = new panels::InspectionPanel(document_);
+  deformation_ = new panels::DeformationPanel(document_);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   QDockWidget* projectDock = dock(tr("Project"), "project", project_, Qt::LeftDockWidgetArea);
   QDockWidget* propertiesDock = dock(tr("Properties"), "properties", properties_, Qt::LeftDockWidgetArea);
+  inspectionDock_ = dock(tr("Inspect"), "inspect", inspection_, Qt::LeftDockWidgetArea);
+  tabifyDockWidget(propertiesDock, inspectionDock_);
+  propertiesDock->raise();
   resultsDock_ = dock(tr("Results"), "results", results_, Qt::BottomDockWidgetArea);
   chartDock_ = dock(tr("Chart"), "chart", chart_, Qt::BottomDockWidgetArea);
   problemsDock_ = dock(tr("Problems"), "problems", problems_, Qt::BottomDockWidgetArea);
+  deformationDock_ = dock(tr("Deformation"), "deformation", deformation_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(resultsDock_, deformationDock_);
   tabifyDockWidget(resultsDock_, problemsDock_);
   resizeDocks({projectDock, propertiesDock}, {440, 300}, Qt::Vertical);
   resizeDocks({projectDock}, {320}, Qt::Horizontal);
   // The view has all the room until there is something to read below it.
-  for (QDockWidget* below : {resultsDock_, chartDock_, problemsDock_}) {
+  for (QDockWidget* below : {resultsDock_, chartDock_, deformationDock_, problemsDock_}) {
     below->hide();
   }
   shotLines_ = new dialogs::ShotLineDialog(document_, runs_, this);
-}
-
-void MainWindow::makeMenus() {
-  makeFileMenu();
-  makeEditMenu();
-  makeViewMenu();
-  makeAnalysisMenu();
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  help->addAction(tr("&About Lorica"), this, [this] {
-    QMessageBox::about(this, tr("About Lorica"),
-                       tr("<b>Lorica %1</b><p>Compares designs of body armor on a digital human that takes the "
-                          "postures of real tasks. The purpose is protective: it says which part of a person armor "
-                          "covers, nothing about what a hit does.</p><p>Free software under the GNU General Public "
-                          "License, version 3 or later.</p>")
-                           .arg(QString::fromStdString(study::version())));
-  });
-}
-
-void MainWindow::makeFileMenu() {
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  file->addAction(tr("&New study with the built-in human..."), QKeySequence::New, this, &MainWindow::newHumanStudy);
-  file->addAction(tr("&Open..."), QKeySequence::Open, this, &MainWindow::chooseAndOpen);
-  recentMenu_ = file->addMenu(tr("Open &recent"));
-  connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
-  QMenu* samples = file->addMenu(tr("Open a s&ample"));
-  for (const std::string& name : study::templateNames()) {
-    samples->addAction(QString::fromStdString(name), this, [this, name] {
-      if (mayDiscard()) {
-        openSample(name);
-      }
-    });
-  }
-  file->addAction(tr("&Import..."), QKeySequence(tr("Ctrl+I")), this, [this] { importFiles({}); });
-  file->addSeparator();
-  QAction* saveAction = file->addAction(tr("&Save"), QKeySequence::Save, this, &MainWindow::save);
-  QAction* saveAsAction = file->addAction(tr("Save &as..."), QKeySequence::SaveAs, this, &MainWindow::saveAs);
-  file->addSeparator();
-  QAction* tables = file->addAction(tr("Save result &tables..."), this, [this] { saveTables(results_->run()); });
-  QAction* picture = file->addAction(tr("Save &picture..."), this, &MainWindow::savePicture);
-  file->addSeparator();
-  file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
-  const auto enable = [this, saveAction, saveAsAction, tables, picture] {
-    saveAction->setEnabled(document_.hasStudy());
-    saveAsAction->setEnabled(document_.hasStudy());
-    picture->setEnabled(document_.hasStudy());
-    tables->setEnabled(results_->run() != nullptr);
-  };
-  connect(file, &QMenu::aboutToShow, this, enable);
-}
-
-void MainWindow::makeEditMenu() {
-  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  QAction* undo = document_.undoStack().createUndoAction(this, tr("&Undo"));
-  undo->setShortcut(QKeySequence::Undo);
-  QAction* redo = document_.undoStack().createRedoAction(this, tr("&Redo"));
-  redo->setShortcut(QKeySequence::Redo);
-  edit->addAction(undo);
-  edit->addAction(redo);
-  edit->addSeparator();
-  QAction* person = edit->addAction(tr("Change the &person..."), this, &MainWindow::changePerson);
-  person->setObjectName(QStringLiteral("change_person"));
-  connect(edit, &QMenu::aboutToShow, this, [this, person] { person->setEnabled(hasBuiltinHuman()); });
-}
-
-void MainWindow::makeViewMenu() {
-  using viewport::StandardView;
-  QMenu* menu = menuBar()->addMenu(tr("&View"));
-  const auto look = [&](const QString& text, const char* key, StandardView from) {
-    menu->addAction(text, QKeySequence(QLatin1String(key)), this, [this, from] { view_->lookFrom(from); });
-  };
-  look(tr("From the &front"), "1", StandardView::front);
-  look(tr("From the &back"), "2", StandardView::back);
-  look(tr("From the person's &left"), "3", StandardView::left);
-  look(tr("From the person's &right"), "4", StandardView::right);
-  look(tr("From &above"), "5", StandardView::top);
-  look(tr("From b&elow"), "6", StandardView::bottom);
-  menu->addAction(tr("&Whole body"), QKeySequence(tr("F")), view_, &viewport::SceneView::fit);
-  menu->addSeparator();
-  for (QAction* action : {timeline_->playAction(), timeline_->stepBackAction(), timeline_->stepForwardAction()}) {
-    menu->addAction(action);
-  }
-  menu->addSeparator();
-  panelsMenu_ = menu->addMenu(tr("&Panels"));
-  for (const QDockWidget* panel : findChildren<QDockWidget*>()) {
-    panelsMenu_->addAction(panel->toggleViewAction());
-  }
-}
-
-void MainWindow::makeAnalysisMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&Analysis"));
-  QAction* shotLines =
-      menu->addAction(tr("Shot &lines..."), QKeySequence(tr("Ctrl+L")), this, &MainWindow::showShotLines);
-  QAction* run = menu->addAction(tr("&Run"), QKeySequence(tr("Ctrl+R")), this, [this] {
-    if (const QString why = runs_.start(); !why.isEmpty()) {
-      complain(tr("The study cannot be run."), why);
-    }
-  });
-  menu->addAction(tr("&Stop the run"), &runs_, &jobs::RunController::cancel);
-  auto* bar = addToolBar(tr("Tools"));
-  bar->setObjectName(QStringLiteral("tools"));
-  bar->setMovable(false);
-  bar->addAction(shotLines);
-  bar->addAction(run);
-  bar->addSeparator();
-  QAction* models = bar->addWidget(new ModelChooser(document_));
-  studyActions_ = {shotLines, run, models};
 }
 
 void MainWindow::makeStatusBar() {
@@ -276,6 +174,11 @@ void MainWindow::connectAll() {
   });
   connect(&document_, &StudyDocument::shownPoseChanged, this, &MainWindow::requestFrame);
   connect(&document_, &StudyDocument::shownModelsChanged, this, &MainWindow::requestFrame);
+  connect(&document_, &StudyDocument::inspectionChanged, this, [this] {
+    if (document_.inspection().showsDrivers()) {
+      requestFrame();  // which brings what is drawn now
+    }
+  });
   connect(&engine_, &jobs::FrameEngine::frameReady, this, &MainWindow::takeFrame);
   connect(&engine_, &jobs::FrameEngine::failed, this,
           [this](const QString& text) { statusBar()->showMessage(text, 1000 * statusSeconds); });
@@ -528,7 +431,9 @@ void MainWindow::remember(const QString& file) {
 void MainWindow::fillRecentMenu() {
   recentMenu_->clear();
   for (const QString& file : recentFiles()) {
-    recentMenu_->addAction(file, this, [this, file] { openFile(file); });
+    const QString text = recentText(file, recentMenu_->fontMetrics(), recentWidth).replace('&', QLatin1String("&&"));
+    QAction* action = recentMenu_->addAction(text, this, [this, file] { openFile(file); });
+    action->setToolTip(file);
   }
   if (recentMenu_->isEmpty()) {
     recentMenu_->addAction(tr("none yet"))->setEnabled(false);
@@ -604,13 +509,23 @@ void MainWindow::showResults() {
   }
 }
 
-void MainWindow::showProblems() {
-  const bool opens = problemsDock_->isHidden() && resultsDock_->isHidden();
-  problemsDock_->show();
-  problemsDock_->raise();
+void MainWindow::showBelow(QDockWidget* dock) {
+  const QList<QDockWidget*> sharers{resultsDock_, deformationDock_, problemsDock_};
+  const bool opens =
+      std::all_of(sharers.begin(), sharers.end(), [](const QDockWidget* one) { return one->isHidden(); });
+  dock->show();
+  dock->raise();
   if (opens) {
-    resizeDocks({problemsDock_}, {belowHeight}, Qt::Vertical);
+    resizeDocks({dock}, {belowHeight}, Qt::Vertical);
   }
+}
+
+void MainWindow::showProblems() {
+  showBelow(problemsDock_);
+}
+
+void MainWindow::showDeformation() {
+  showBelow(deformationDock_);
 }
 
 void MainWindow::requestFrame() {
@@ -623,6 +538,9 @@ void MainWindow::requestFrame() {
   if (shots_.on) {
     request.shotSource = shots_.source;
     request.shotLimit = shots_.limit;
+  }
+  if (document_.inspection().showsDrivers()) {
+    request.driversOf = document_.inspection().organ;
   }
   view_->expectFrame();
   engine_.request(std::move(request));

@@ -16,6 +16,8 @@
 #include "lorica/jobs/run_controller.h"
 #include "lorica/jobs/study_loader.h"
 #include "lorica/panels/coverage_chart.h"
+#include "lorica/panels/deformation_panel.h"
+#include "lorica/panels/inspection_panel.h"
 #include "lorica/panels/problems_panel.h"
 #include "lorica/panels/project_panel.h"
 #include "lorica/panels/properties_panel.h"
@@ -48,6 +50,7 @@ class MainWindow : public QMainWindow {
   jobs::FrameEngine& engine() { return engine_; }
   panels::ResultsPanel& results() { return *results_; }
   panels::CoverageChart& chart() { return *chart_; }
+  panels::DeformationPanel& deformation() { return *deformation_; }
   dialogs::ShotLineDialog& shotLines() { return *shotLines_; }
 
   /// Opens a study file; says why when it cannot be. \return whether it is open now
@@ -59,6 +62,7 @@ class MainWindow : public QMainWindow {
   /// Offers what a crash left behind.
   void offerRecovery();
   void showShotLines();
+  void showDeformation();
   /// Asks for a person, armor and organs, and takes the study of them.
   void newHumanStudy();
   /// Asks whom the built-in human stands for. \pre the open study has the built-in human
@@ -75,10 +79,13 @@ class MainWindow : public QMainWindow {
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makeColouringMenu(QMenu& menu);
   void makeAnalysisMenu();
   void makeStatusBar();
   /// Opens the panels of results below the view, if they are not.
   void showResults();
+  /// Shows a panel below the view; gives it some height when it is the first there.
+  void showBelow(QDockWidget* dock);
   void showProblems();
   void connectAll();
   QDockWidget* dock(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
@@ -120,9 +127,13 @@ class MainWindow : public QMainWindow {
   panels::ResultsPanel* results_ = nullptr;
   panels::CoverageChart* chart_ = nullptr;
   panels::ProblemsPanel* problems_ = nullptr;
+  panels::InspectionPanel* inspection_ = nullptr;
+  panels::DeformationPanel* deformation_ = nullptr;
   dialogs::ShotLineDialog* shotLines_ = nullptr;
+  QDockWidget* inspectionDock_ = nullptr;
   QDockWidget* resultsDock_ = nullptr;
   QDockWidget* chartDock_ = nullptr;
+  QDockWidget* deformationDock_ = nullptr;
   QDockWidget* problemsDock_ = nullptr;
   QList<QAction*> studyActions_;  ///< of the tool bar, nothing without a study
   QToolButton* problemCount_ = nullptr;

@@ -1,11 +1,31 @@
 #include "welcome_page.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace lorica::gui {
+
+namespace {
+
+constexpr int recentWidth = 420;
+
+}  // namespace
+
+QString recentText(const QString& file, const QFontMetrics& metrics, int width) {
+  const QFileInfo info(file);
+  QString folder = QDir::toNativeSeparators(info.absolutePath());
+  const QString home = QDir::toNativeSeparators(QDir::homePath());
+  if (folder == home || folder.startsWith(home + QDir::separator())) {
+    folder.replace(0, home.size(), QStringLiteral("~"));
+  }
+  const QString head = info.fileName() + QStringLiteral("   ");
+  return head +
+         metrics.elidedText(folder, Qt::ElideMiddle, std::max(width / 3, width - metrics.horizontalAdvance(head)));
+}
 
 WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
   auto* outer = new QVBoxLayout(this);
@@ -55,7 +75,8 @@ void WelcomePage::setRecentFiles(const QStringList& files) {
   }
   recent_->addWidget(new QLabel(tr("Recent studies")));
   for (const QString& file : files) {
-    auto* link = new QPushButton(QFileInfo(file).fileName());
+    auto* link = new QPushButton;
+    link->setText(recentText(file, link->fontMetrics(), recentWidth).replace('&', QLatin1String("&&")));
     link->setFlat(true);
     link->setToolTip(file);
     link->setStyleSheet(QStringLiteral("text-align: left"));

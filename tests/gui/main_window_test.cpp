@@ -15,6 +15,7 @@
 #include <QProcess>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -27,10 +28,12 @@
 #include "lorica/commands/edits.h"
 #include "lorica/dialogs/human_dialog.h"
 #include "lorica/dialogs/import_dialog.h"
+#include "lorica/document/appearance.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/primitives.h"
 #include "lorica/io/export.h"
 #include "lorica/study/study_file.h"
+#include "welcome_page.h"
 
 namespace lorica::gui {
 namespace {
@@ -632,6 +635,94 @@ TEST_F(Window, StandardViewsAreOnKeysAndAreDifferent) {
     EXPECT_GT(differing(last, now), 3000) << static_cast<int>(key);
     last = now;
   }
+}
+
+TEST_F(Window, WhatDrivesAnOrganIsDrawnWhereItIsAskedForAndMovesWithThePose) {
+  using document::Driver;
+  open();
+  const QImage plain = picture();
+  window_.document().inspect({"liver", Driver::lattice | Driver::controlPoints, document::Colouring::own});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.view().frame()->driversOf == "liver"; }, patience));
+  const QImage lattice = picture();
+  EXPECT_GT(differing(plain, lattice), 1000);
+  const auto atRest = window_.view().frame()->drivers.front().controlPoints;
+  window_.document().inspect({"liver", Driver::sites | Driver::rays | Driver::frames, document::Colouring::own});
+  EXPECT_GT(differing(lattice, picture()), 1000);
+  window_.document().showPose("toe_touch@2");
+  waitForFrame("toe_touch@2");
+  EXPECT_EQ(window_.view().frame()->driversOf, "liver");
+  const auto posed = window_.view().frame()->drivers.front().controlPoints;
+  ASSERT_EQ(posed.size(), atRest.size());
+  EXPECT_GT((posed.front() - atRest.front()).norm(), 0.1F);
+  window_.document().showPose("rest");
+  window_.document().inspect({});
+  window_.document().showPose("toe_touch@1");
+  waitForFrame("toe_touch@1");
+  EXPECT_TRUE(window_.view().frame()->drivers.empty()) << "nothing is computed of what is not shown";
+  window_.document().showPose("rest");
+  waitForFrame("rest");
+  EXPECT_LT(differing(plain, picture()), 100) << "as before";
+}
+
+TEST_F(Window, OrgansAreColouredByTheirStrainOnceThePoseRests) {
+  open();
+  window_.document().showPose("belly_twist@1");
+  waitForFrame("belly_twist@1");
+  window_.document().inspect({"", {}, document::Colouring::strain});
+  const QImage waiting = picture();
+  QWidget* legend = window_.view().findChild<QWidget*>("legend");
+  ASSERT_NE(legend, nullptr);
+  EXPECT_TRUE(legend->isVisible());
+  const int before = legend->height();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return legend->height() != before; }, patience)) << "the bar came";
+  EXPECT_GT(differing(waiting, picture()), 1000);
+  window_.document().showModels({OrganModel::staticJoint, OrganModel::dynamic});
+  waitForFrame("belly_twist@1");
+  window_.document().inspect({});
+  EXPECT_FALSE(legend->isVisible());
+}
+
+TEST_F(Window, TheDeformationPanelMeasuresWhatTheViewShows) {
+  open();
+  window_.document().showPose("toe_touch@2");
+  window_.showDeformation();
+  const auto& panel = window_.deformation();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        return panel.report() != nullptr && panel.report()->tables.poses == std::vector<std::string>{"toe_touch@2"};
+      },
+      patience));
+  EXPECT_TRUE(panel.isVisible());
+  panel.organView().selectRow(0);
+  EXPECT_EQ(window_.document().selection()->kind, ItemKind::organ);
+}
+
+TEST_F(Window, TwoRecentStudiesOfOneNameAreToldApartByTheirFolders) {
+  const QFontMetrics metrics(QApplication::font());
+  const QString one = recentText("/data/vests/2026/spring/sample.lorica.json", metrics, 400);
+  const QString other = recentText("/data/vests/2026/autumn/sample.lorica.json", metrics, 400);
+  EXPECT_TRUE(one.startsWith("sample.lorica.json"));
+  EXPECT_NE(one, other);
+  const QString deep = recentText("/data/" + QString(400, 'x') + "/last/sample.lorica.json", metrics, 400);
+  EXPECT_LE(metrics.horizontalAdvance(deep), 400);
+  EXPECT_TRUE(deep.endsWith("/last")) << deep.toStdString();
+  EXPECT_TRUE(recentText(QDir::homePath() + "/s/sample.lorica.json", metrics, 400).contains("~/s"));
+}
+
+TEST_F(Window, TheSelectedOrganFillsTheView) {
+  open();
+  window_.document().select(ItemRef{ItemKind::organ, "bladder"});
+  const QImage whole = picture();
+  window_.view().fitSelection();
+  const QImage near = picture();
+  EXPECT_GT(differing(whole, near), 20000);
+  std::vector<std::string> others = document::drawnStructures(window_.document().study());
+  std::erase(others, "bladder");
+  commands::setAllVisible(window_.document(), others, false, "Hide the others");
+  window_.document().select(std::nullopt);
+  auto* canvas = window_.view().findChild<QWidget*>();
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->rect().center());
+  EXPECT_EQ(window_.document().selection(), (ItemRef{ItemKind::organ, "bladder"})) << "in the middle of the picture";
 }
 
 TEST_F(Window, ShotsAreDrawnUpToTheLimitAndFilteredByWhatTheyMeet) {

@@ -28,6 +28,17 @@ take() {
   done
 }
 
+deform() {
+  [ -r "$out/$1.lorica.json" ] || return 0
+  for scale in 1 1.5; do
+    echo "$1, deformation at $scale"
+    QT_SCALE_FACTOR=$scale xvfb-run -a -s '-screen 0 2900x2000x24' \
+      "$build/tests/gui/lorica_deformation_pictures" "$out" "$1_$scale" "$out/$1.lorica.json" "$2" "$3"
+  done
+}
+
 take sample toe_touch@2 belly_twist@1
 take visible_human toe_touch@2 belly_twist@1
 take makehuman toe_touch@2
+deform sample liver belly_twist@1
+deform visible_human Liver belly_twist@1

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
+#include <map>
 
 #include "lorica/base/error.h"
 #include "lorica/document/appearance.h"
+#include "lorica/study/human_study.h"
 #include "lorica/study/study_file.h"
 #include "two_systems.h"
 
@@ -41,12 +43,52 @@ TEST(PersonEdit, IsOneStepThatUndoGivesBackToTheByte) {
   EXPECT_EQ(document.undoStack().undoText(), "Change the person");
   EXPECT_EQ(document.study().person, woman);
   ASSERT_EQ(changed.count(), 1);
-  EXPECT_EQ(changed[0][0].value<Changes>(), Changes(Change::human));
+  EXPECT_EQ(changed[0][0].value<Changes>(), Change::human | Change::armor) << "her plates are of another density";
   EXPECT_EQ(study::parseStudy(studyText(document.study()), "s"), document.study());
   setPerson(document, woman);
   EXPECT_EQ(document.undoStack().count(), 1) << "who is there already is no step";
   document.undoStack().undo();
   EXPECT_EQ(studyText(document.study()), before);
+}
+
+TEST(PersonEdit, BuiltInArmorTakesTheDensitiesOfTheNewPersonUnlessTheyWerePutInByHand) {
+  const auto piecesOf = [](const study::Study& study) {
+    std::map<std::string, std::optional<double>> densities;
+    for (const study::ArmorSystem& system : study.systems) {
+      for (const study::ArmorPiece& piece : system.pieces) {
+        densities.emplace(piece.name, piece.arealDensity);
+      }
+    }
+    return densities;
+  };
+  const human::Person man{human::Sex::male, 1.755, 84.6};
+  study::HumanStudyOptions options{man, study::OrganChoice::none, {"full_torso"}};
+  // Whoever wears another size of plates: the program's values differ.
+  human::Person other = man;
+  for (const human::Person& person :
+       {human::Person{human::Sex::female, 1.5, 48.0}, human::Person{human::Sex::male, 2.0, 130.0}}) {
+    const auto of = [&](const human::Person& whom) {
+      study::HumanStudyOptions wanted = options;
+      wanted.person = whom;
+      return piecesOf(study::humanStudy(wanted));
+    };
+    other = of(person) != of(man) ? person : other;
+  }
+  StudyDocument document;
+  document.setStudy(study::humanStudy(options), "/studies/human.lorica.json");
+  const std::string byHand = document.study().systems[0].pieces[0].name;
+  setArealDensity(document, byHand, 12.5);
+  const std::string before = studyText(document.study());
+  setPerson(document, other);
+  EXPECT_EQ(document.undoStack().count(), 2);
+  options.person = other;
+  auto expected = piecesOf(study::humanStudy(options));
+  expected[byHand] = 12.5;
+  EXPECT_EQ(piecesOf(document.study()), expected);
+  document.undoStack().undo();
+  EXPECT_EQ(studyText(document.study()), before);
+  document.undoStack().redo();
+  EXPECT_EQ(piecesOf(document.study()), expected);
 }
 
 TEST(PersonEdit, IsForTheBuiltInHumanOnly) {
@@ -121,6 +163,26 @@ std::vector<Edit> allEdits() {
       {"Joint", [](D& d) { setJoint(d, "heart", "spine_1"); }, Change::organs, "Joint of heart"},
       {"NearestJoint", [](D& d) { setJoint(d, "liver", {}); }, Change::organs, "Joint of liver"},
       {"Lattice", [](D& d) { setLattice(d, "heart", threeCells()); }, Change::organs, "Lattice of heart"},
+      {"OrganDescription",
+       [](D& d) {
+         setDescription(d, {ItemKind::organ, "heart"}, "Beats.\nTwice a second.");
+       },
+       Change::organs, "Description of heart"},
+      {"PieceDescription",
+       [](D& d) {
+         setDescription(d, {ItemKind::piece, "small"}, "Of polyethylene.");
+       },
+       Change::armor, "Description of small"},
+      {"SourceDescription",
+       [](D& d) {
+         setDescription(d, {ItemKind::source, "left"}, "A window.");
+       },
+       Change::sources, "Description of left"},
+      {"PoseDescription",
+       [](D& d) {
+         setDescription(d, {ItemKind::pose, "turned"}, "Looks back.");
+       },
+       Change::poses, "Description of turned"},
       {"Carriage", [](D& d) { setCarriage(d, "small", study::Carriage::skinned); }, Change::armor, "Carriage of small"},
       {"Material", [](D& d) { setMaterial(d, "small", "UHMWPE"); }, Change::armor, "Material of small"},
       {"ArealDensity", [](D& d) { setArealDensity(d, "small", 24.5); }, Change::armor, "Areal density of small"},

@@ -165,11 +165,6 @@ void setStudyDescription(StudyDocument& document, const std::string& text) {
          Text::tr("Description of the study"));
 }
 
-void setPerson(StudyDocument& document, const human::Person& person) {
-  LORICA_CHECK(std::holds_alternative<study::Builtin>(document.study().human.from), "a study of the built-in human");
-  change(document, ofStudy("person", Change::human, &study::Study::person), person, Text::tr("Change the person"));
-}
-
 void setModels(StudyDocument& document, const std::vector<viscera::OrganModel>& models) {
   change(document, ofStudy("models", Change::run, &study::Study::models), once(models), Text::tr("Organ models"));
 }
@@ -242,6 +237,38 @@ void setOpacity(StudyDocument& document, const std::string& structure, std::opti
 }
 
 // --- organs and armor -----------------------------------------------------------------------------------------------
+
+void setDescription(StudyDocument& document, const ItemRef& item, const std::string& text) {
+  LORICA_CHECK(isUtf8(text), "texts are UTF-8");
+  const auto of = [&](auto found, Change what) {
+    change(document,
+           Property<std::string>{
+               QStringLiteral("description/%1").arg(shown(item.name)), what,
+               [found](const study::Study& study) { return found(study).description; },
+               [found](study::Study& study, const std::string& value) { found(study).description = value; }},
+           text, Text::tr("Description of %1").arg(shown(item.name)));
+  };
+  switch (item.kind) {
+    case document::ItemKind::organ:
+      return of(
+          [name = item.name](auto& study) -> auto& { return named(study.organs, name); }, Change::organs);
+    case document::ItemKind::system:
+      return of(
+          [name = item.name](auto& study) -> auto& { return named(study.systems, name); }, Change::armor);
+    case document::ItemKind::piece:
+      return of(
+          [name = item.name](auto& study) -> auto& { return named(systemWith(study, name).pieces, name); },
+          Change::armor);
+    case document::ItemKind::pose:
+      return of(
+          [name = item.name](auto& study) -> auto& { return named(study.poses, name); }, Change::poses);
+    case document::ItemKind::source:
+      return of(
+          [name = item.name](auto& study) -> auto& { return named(study.sources, name); }, Change::sources);
+    default:
+      LORICA_CHECK(false, "a thing of the study that has a description");
+  }
+}
 
 void setInjuryClass(StudyDocument& document, const std::string& organ, const std::string& injuryClass) {
   LORICA_CHECK(injuryClass.empty() || injuryClass == "essential" || injuryClass == "desirable",

@@ -45,7 +45,17 @@ bool sameNumbers(const study::Study& a, const study::Study& b) {
     study.name.clear();
     study.description.clear();
     study.displays.clear();
+    const auto undescribed = [](auto& things) {
+      for (auto& thing : things) {
+        thing.description.clear();
+      }
+    };
+    undescribed(study.organs);
+    undescribed(study.systems);
+    undescribed(study.poses);
+    undescribed(study.sources);
     for (study::ArmorSystem& system : study.systems) {
+      undescribed(system.pieces);
       for (study::ArmorPiece& piece : system.pieces) {
         // Kept for the record.
         piece.material.clear();
@@ -155,6 +165,7 @@ void StudyDocument::replace(std::optional<study::Study> study, const fs::path& f
   selection_.reset();
   shownPose_ = "rest";
   shownModels_ = {viscera::OrganModel::dynamic};
+  inspection_ = {};
   loaded_.reset();
   problems_.clear();
   runs_.clear();
@@ -169,6 +180,7 @@ void StudyDocument::replace(std::optional<study::Study> study, const fs::path& f
   Q_EMIT selectionChanged();
   Q_EMIT shownPoseChanged();
   Q_EMIT shownModelsChanged();
+  Q_EMIT inspectionChanged();
   Q_EMIT loadedChanged();
   Q_EMIT problemsChanged();
   Q_EMIT runsChanged();
@@ -209,6 +221,14 @@ void StudyDocument::showModels(std::vector<viscera::OrganModel> models) {
   }
 }
 
+void StudyDocument::inspect(Inspection inspection) {
+  LORICA_CHECK(inspection.organ.empty() || hasNamed(study_.organs, inspection.organ), "an organ of the study");
+  if (inspection != inspection_) {
+    inspection_ = std::move(inspection);
+    Q_EMIT inspectionChanged();
+  }
+}
+
 void StudyDocument::setLoaded(std::shared_ptr<const analysis::LoadedStudy> loaded) {
   loaded_ = std::move(loaded);
   const bool selectionGone = dropStaleSelection();
@@ -240,12 +260,19 @@ void StudyDocument::edit(EditKey, Changes what, const std::function<void(study::
   if (poseGone) {
     shownPose_ = "rest";
   }
+  const bool organGone = !inspection_.organ.empty() && !hasNamed(study_.organs, inspection_.organ);
+  if (organGone) {
+    inspection_.organ.clear();
+  }
   Q_EMIT studyChanged(what);
   if (selectionGone) {
     Q_EMIT selectionChanged();
   }
   if (poseGone) {
     Q_EMIT shownPoseChanged();
+  }
+  if (organGone) {
+    Q_EMIT inspectionChanged();
   }
 }
 

@@ -118,7 +118,7 @@ std::shared_ptr<Frame> FrameEngine::spareFrame(const std::shared_ptr<const analy
   return frame;
 }
 
-void FrameEngine::fill(Frame& frame, const FrameRequest& request) const {
+void FrameEngine::fill(Frame& frame, const FrameRequest& request) {
   const analysis::LoadedStudy& study = *frame.study;
   const analysis::NamedPose pose = analysis::resolvePose(study, request.pose);
   if (frame.scene == nullptr) {
@@ -130,11 +130,36 @@ void FrameEngine::fill(Frame& frame, const FrameRequest& request) const {
   frame.engineMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   frame.pose = request.pose;
   computeNormals(frame);
+  fillDrivers(frame, request.driversOf);
   frame.shots.clear();
   if (request.shotSource && *request.shotSource < study.study.sources.size()) {
     const analysis::ShotSource source = analysis::shotSourceFor(study, *request.shotSource, *frame.scene);
     frame.shots = analysis::shotPaths(*frame.scene, source.source, study.study.seed, request.shotLimit);
   }
+}
+
+void FrameEngine::fillDrivers(Frame& frame, const std::string& organ) {
+  frame.driversOf.clear();
+  frame.drivers.clear();
+  const auto& organs = frame.study->organs;
+  const auto found = std::find_if(organs.begin(), organs.end(), [&](const auto& one) { return one->name == organ; });
+  if (organ.empty() || found == organs.end()) {
+    return;
+  }
+  const auto index = static_cast<std::size_t>(found - organs.begin());
+  if (layoutsOf_ != *found) {
+    layoutsOf_ = *found;
+    layouts_.clear();
+  }
+  for (const viscera::OrganModel model : frame.scene->models()) {
+    auto layout = std::find_if(layouts_.begin(), layouts_.end(), [&](const auto& one) { return one->model == model; });
+    if (layout == layouts_.end()) {
+      layouts_.push_back(std::make_shared<const DriverLayout>(driverLayout(*frame.study, index, model)));
+      layout = std::prev(layouts_.end());
+    }
+    frame.drivers.push_back(poseDrivers(*frame.study, index, *layout, *frame.scene, base::Threads{}));
+  }
+  frame.driversOf = organ;
 }
 
 }  // namespace lorica::jobs

@@ -24,4 +24,29 @@ std::array<ModelText, 4> modelTexts() {
             Text::tr("Deformed by a lattice that follows blended interior sites: the best model.")}}};
 }
 
+std::array<DriverText, 5> driverTexts() {
+  using document::Driver;
+  return {{{Driver::lattice, Text::tr("Lattice"),
+            Text::tr("Edges of the cells that hold a part of the organ. A rigid organ has none.")},
+           {Driver::controlPoints, Text::tr("Control points"),
+            Text::tr("Corners of the cells, in the pose: the organ moves with them.")},
+           {Driver::sites, Text::tr("Interior sites"),
+            Text::tr("Points inside the body that the skin carries; those that carry this organ are larger.")},
+           {Driver::rays, Text::tr("Anchor rays"),
+            Text::tr("From each site that carries this organ to its three anchors on the skin.")},
+           {Driver::frames, Text::tr("Reference frames"),
+            Text::tr("How each site that carries this organ is turned, as small axes; of a joint where that carries "
+                     "it.")}}};
+}
+
+std::array<ColouringText, 3> colouringTexts() {
+  using document::Colouring;
+  return {{{Colouring::own, Text::tr("Which organ it is"), Text::tr("Every organ has a colour of its own.")},
+           {Colouring::strain, Text::tr("Edge stretch"),
+            Text::tr("How much longer or shorter than at rest the edges of the organ's surface are, those at one "
+                     "vertex together.")},
+           {Colouring::protrusion, Text::tr("Depth beyond the skin"),
+            Text::tr("How far the organ reaches out of the posed skin.")}}};
+}
+
 }  // namespace lorica::models

@@ -139,6 +139,9 @@ QVariant ResultsModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole) {
     return QVariant((isText(column) ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   }
+  if (role == Qt::ToolTipRole && isText(column)) {
+    return textOf(here, column);  // a narrow column cuts long names
+  }
   if (role != Qt::DisplayRole && role != rawRole) {
     return {};
   }

@@ -33,7 +33,7 @@ void fillSystem(PropertyForm& form, const std::string& name) {
   };
   form.section(Text::tr("Armor system"));
   addNameRow(form, {ItemKind::system, name});
-  addDescriptionRow(form, [system] { return system().description; });
+  addDescriptionRow(form, {ItemKind::system, name}, [system] { return system().description; });
   form.note({"pieces", Text::tr("Pieces")}, [system] {
     QStringList names;
     for (const study::ArmorPiece& piece : system().pieces) {
@@ -67,7 +67,7 @@ void fillPiece(PropertyForm& form, const std::string& name) {
   };
   form.section(Text::tr("Armor piece"));
   addNameRow(form, {ItemKind::piece, name});
-  addDescriptionRow(form, [piece] { return piece().description; });
+  addDescriptionRow(form, {ItemKind::piece, name}, [piece] { return piece().description; });
   form.fact({"file", Text::tr("File")}, [piece] { return sourceText(piece().mesh); });
   QLineEdit* material = form.line(
       {"material", Text::tr("Material"), Text::tr("For the record; changes no result")},

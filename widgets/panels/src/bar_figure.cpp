@@ -86,9 +86,13 @@ class BarFigure::Intervals : public QGraphicsItem {
   }
 
   void paintOne(QPainter& painter, std::size_t series, std::size_t category) const {
+    const FigureBar& bar = figure_.data().series[series].bars[category];
+    if (bar.measured) {
+      return;
+    }
     const QLineF line = figure_.intervalLine(series, category);
     const double cap = figure_.capWidth();
-    if (!line.isNull() || figure_.data().series[series].bars[category].interval) {
+    if (bar.interval) {
       painter.drawLine(line);
       for (const QPointF& end : {line.p1(), line.p2()}) {
         painter.drawLine(end - QPointF(cap, 0), end + QPointF(cap, 0));
@@ -153,9 +157,10 @@ void BarFigure::placeTitles() {
   const bool small = isSmall();
   setTitle(small ? QString() : data_.title.toHtmlEscaped());
   values_->setTitleText(small ? QString() : data_.valueTitle);
-  values_->setLabelFormat(small ? QStringLiteral("%g %%") : QStringLiteral("%g"));
+  values_->setLabelFormat(QStringLiteral("%g") +
+                          (small ? QString(data_.unit).replace('%', QLatin1String("%%")) : QString()));
   const bool anyBlank = std::any_of(data_.series.begin(), data_.series.end(), [](const FigureSeries& series) {
-    return std::any_of(series.bars.begin(), series.bars.end(), [](const FigureBar& bar) { return !bar.interval; });
+    return std::any_of(series.bars.begin(), series.bars.end(), [](const FigureBar& bar) { return bar.isBlank(); });
   });
   // The names below the bars speak for themselves; only the mark of a blank needs a word.
   const QString mark = QString(QChar(0xD7)) + " " + data_.blankNote;
@@ -178,15 +183,17 @@ void BarFigure::makeBars() {
 
 void BarFigure::scaleValues() {
   double highest = data_.highest.value_or(0.0);
+  double lowest = 0.0;
   if (!data_.highest) {
     for (const FigureSeries& series : data_.series) {
       for (const FigureBar& bar : series.bars) {
         highest = std::max({highest, bar.value, bar.interval ? bar.interval->high : 0.0});
+        lowest = std::min(lowest, bar.value);
       }
     }
   }
   values_->setTickCount(6);
-  values_->setRange(0.0, highest > 0.0 ? highest : 1.0);
+  values_->setRange(lowest, highest > lowest ? highest : 1.0);
   if (!data_.highest) {
     values_->applyNiceNumbers();
   }
@@ -268,6 +275,9 @@ QString BarFigure::describe(std::size_t series, std::size_t category) const {
   const FigureBar& bar = data_.series.at(series).bars.at(category);
   const QString head = QString::fromStdString(data_.categories.at(category)) + ", " +
                        QString::fromStdString(data_.series.at(series).model);
+  if (bar.measured) {
+    return head + "\n" + models::fixed(bar.value, data_.decimals) + data_.unit;
+  }
   const QString counts = data_.countText.arg(models::grouped(bar.hits), models::grouped(bar.of));
   if (!bar.interval) {
     return head + "\n" + data_.blankNote;

@@ -50,7 +50,9 @@ void fillPose(PropertyForm& form, const std::string& name) {
   const auto pose = [&document, name]() -> const study::Pose& { return namedOrNone(document.study().poses, name); };
   form.section(Text::tr("Pose"));
   addNameRow(form, {ItemKind::pose, name});
-  addDescriptionRow(form, [pose] { return pose().description; });
+  if (name != "rest") {
+    addDescriptionRow(form, {ItemKind::pose, name}, [pose] { return pose().description; });
+  }
   if (name == "rest") {
     form.note({"what", QLatin1String("")}, [] { return Text::tr("The body as it was made."); });
   } else if (std::holds_alternative<study::ClipPose>(pose().what)) {
@@ -77,7 +79,8 @@ void fillSource(PropertyForm& form, const std::string& name) {
   StudyDocument& document = form.document();
   form.section(Text::tr("Source of shots"));
   addNameRow(form, {ItemKind::source, name});
-  addDescriptionRow(form, [&document, name] { return namedOrNone(document.study().sources, name).description; });
+  addDescriptionRow(form, {ItemKind::source, name},
+                    [&document, name] { return namedOrNone(document.study().sources, name).description; });
   addSourceRows(form, [name] { return name; });
 }
 

@@ -137,9 +137,16 @@ void addNameRow(PropertyForm& form, const ItemRef& item) {
   form.showRowWhile(why, [trouble] { return !trouble->isEmpty(); });
 }
 
-void addDescriptionRow(PropertyForm& form, const std::function<std::string()>& get) {
-  QLabel* text = form.note({"description", Text::tr("Description")}, [get] { return shown(get()); });
-  form.showRowWhile(text, [get] { return !get().empty(); });
+void addDescriptionRow(PropertyForm& form, const ItemRef& item, const std::function<std::string()>& get) {
+  StudyDocument& document = form.document();
+  form.paragraph(
+      {"description", Text::tr("Description")}, [get] { return shown(get()); },
+      [&document, item](const QString& text) {
+        // The focus may leave because the thing has gone.
+        if (document::exists(document, item)) {
+          commands::setDescription(document, item, text.toStdString());
+        }
+      });
 }
 
 }  // namespace lorica::panels

@@ -59,7 +59,6 @@ void addMeshRows(PropertyForm& form, FindMesh find);
 void addLookRows(PropertyForm& form, const std::string& structure);
 /// The name: to edit where it can be changed. What is wrong with a name is said below it.
 void addNameRow(PropertyForm& form, const document::ItemRef& item);
-/// Shown only where there is a description.
-void addDescriptionRow(PropertyForm& form, const std::function<std::string()>& get);
+void addDescriptionRow(PropertyForm& form, const document::ItemRef& item, const std::function<std::string()>& get);
 
 }  // namespace lorica::panels

@@ -113,7 +113,7 @@ void fillOrgan(PropertyForm& form, const std::string& name) {
   };
   form.section(Text::tr("Organ"));
   addNameRow(form, {ItemKind::organ, name});
-  addDescriptionRow(form, [organ] { return organ().description; });
+  addDescriptionRow(form, {ItemKind::organ, name}, [organ] { return organ().description; });
   form.fact({"file", Text::tr("File")}, [organ] { return sourceText(organ().mesh); });
   form.fact({"parts", Text::tr("Parts")}, [organ] { return partsText(organ().mesh); });
   addMeshRows(form, mesh);

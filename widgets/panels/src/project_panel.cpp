@@ -17,6 +17,7 @@
 
 #include "lorica/commands/edits.h"
 #include "lorica/document/appearance.h"
+#include "lorica/models/model_texts.h"
 #include "panel_parts.h"
 
 namespace lorica::panels {
@@ -267,6 +268,9 @@ void ProjectPanel::fillMenu(QMenu& menu) {
     }
     menu.addAction(tr("Reset look"), this, &ProjectPanel::resetLook);
   }
+  if (item && item->kind == ItemKind::organ) {
+    fillDriverMenu(*menu.addMenu(tr("What drives it")), item->name);
+  }
   if (item && item->kind == ItemKind::pose) {
     QAction* show = menu.addAction(tr("Show this pose"), this, [this, name = item->name] { document_.showPose(name); });
     show->setEnabled(item->name != document_.shownPose());
@@ -280,6 +284,31 @@ void ProjectPanel::fillMenu(QMenu& menu) {
     menu.addAction(rename_);
     menu.addAction(remove_);
   }
+}
+
+void ProjectPanel::fillDriverMenu(QMenu& menu, const std::string& organ) {
+  const document::Inspection& now = document_.inspection();
+  const bool here = now.organ == organ;
+  for (const models::DriverText& text : models::driverTexts()) {
+    QAction* action = menu.addAction(text.label, this, [this, organ, here, driver = text.driver](bool on) {
+      document::Inspection wanted = document_.inspection();
+      // Another organ starts with what was asked for.
+      wanted.drivers = here ? wanted.drivers : document::Drivers();
+      wanted.organ = organ;
+      wanted.drivers.setFlag(driver, on);
+      document_.inspect(wanted);
+    });
+    action->setCheckable(true);
+    action->setChecked(here && now.drivers.testFlag(text.driver));
+    action->setToolTip(text.tip);
+  }
+  menu.addSeparator();
+  QAction* nothing = menu.addAction(tr("Nothing"), this, [this] {
+    document::Inspection wanted = document_.inspection();
+    wanted.drivers = {};
+    document_.inspect(wanted);
+  });
+  nothing->setEnabled(here && now.showsDrivers());
 }
 
 void ProjectPanel::showOnlyCurrent() {

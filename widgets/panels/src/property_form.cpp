@@ -182,8 +182,12 @@ QLineEdit* PropertyForm::line(const Field& field, std::function<QString()> get,
       set(edit->text());
     }
   });
-  row(field.label, edit, [edit, get = std::move(get)] {
+  const bool untold = field.tip.isEmpty();
+  row(field.label, edit, [edit, untold, get = std::move(get)] {
     const QString text = get();
+    if (untold) {
+      edit->setToolTip(text);  // a narrow panel cuts long names
+    }
     // What is being typed stays until it is taken over.
     if (edit->text() != text && !(edit->hasFocus() && edit->isModified())) {
       edit->setText(text);

@@ -6,6 +6,7 @@
 #include <vtkPoints.h>
 #include <vtkProperty.h>
 #include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <numeric>
 
@@ -65,6 +66,21 @@ void MeshActor::show(std::span<const geometry::Vec3f> positions, std::span<const
   for (Level* level : {&full_, &coarse_}) {
     level->data->GetPointData()->SetNormals(normalArray);
     level->data->Modified();
+  }
+}
+
+void MeshActor::colourVertices(const std::vector<Rgb>& colours) {
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(colours.size()));
+  for (std::size_t v = 0; v < colours.size(); ++v) {
+    array->SetTypedTuple(static_cast<vtkIdType>(v), colours[v].data());
+  }
+  for (Level* level : {&full_, &coarse_}) {
+    level->data->GetPointData()->SetScalars(colours.empty() ? nullptr : array.Get());
+    level->mapper->SetScalarModeToUsePointData();
+    level->mapper->SetColorModeToDirectScalars();
+    level->mapper->SetScalarVisibility(colours.empty() ? 0 : 1);
   }
 }
 

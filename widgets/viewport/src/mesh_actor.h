@@ -5,6 +5,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -27,6 +28,10 @@ class MeshActor {
   using Triangles = std::shared_ptr<const std::vector<geometry::Triangle>>;
   void drawCoarsely(const Triangles& coarse);
   std::span<const geometry::Triangle> triangles() const { return triangles_; }
+  /// Gives each vertex a colour of its own (red, green, blue), in place of the actor's; none: the actor's.
+  /// \pre none, or as many as there are vertices
+  using Rgb = std::array<unsigned char, 3>;
+  void colourVertices(const std::vector<Rgb>& colours);
   vtkActor* actor() { return actor_; }
   /// What is drawn now.
   vtkPolyData* data() { return isCoarse_ ? coarse_.data : full_.data; }

@@ -3,9 +3,15 @@
 #include <vtkProperty.h>
 
 #include "coarse_meshes.h"
-#include "lorica/document/appearance.h"
+#include "colour_scale.h"
 
 namespace lorica::viewport {
+
+namespace {
+
+const QColor unknownColour(168, 172, 176);
+
+}  // namespace
 
 MeshPresenter::~MeshPresenter() {
   rebuild({});
@@ -39,25 +45,54 @@ void MeshPresenter::showFrame(const std::shared_ptr<const jobs::Frame>& frame) {
 void MeshPresenter::restyle(const document::StudyDocument& document) {
   const auto& selection = document.selection();
   for (std::size_t m = 0; m < actors_.size(); ++m) {
-    const document::Appearance look = document::appearanceOf(document.study(), structures_[m]);
+    const document::Appearance look = document::drawnAppearance(document, structures_[m]);
+    const QColor colour = colourOf(document, look);
     vtkActor* actor = actors_[m]->actor();
     actor->SetVisibility(look.visible && look.opacity > 0.0 ? 1 : 0);
     vtkProperty* property = actor->GetProperty();
     const bool selected =
         selection && ((selection->kind == document::ItemKind::organ || selection->kind == document::ItemKind::piece) &&
                       selection->name == structures_[m]);
-    property->SetColor(look.colour.redF(), look.colour.greenF(), look.colour.blueF());
+    property->SetColor(colour.redF(), colour.greenF(), colour.blueF());
     property->SetOpacity(look.opacity);
     // A selected structure glows a little, whatever its colour.
-    property->SetAmbient(selected ? 0.55 : 0.15);
-    property->SetAmbientColor(selected ? 1.0 : look.colour.redF(), selected ? 0.85 : look.colour.greenF(),
-                              selected ? 0.2 : look.colour.blueF());
+    const bool coloured = document.inspection().colouring != document::Colouring::own;
+    // Where colours are numbers, light must not change them much.
+    property->SetAmbient(coloured ? (selected ? 0.45 : 0.30) : (selected ? 0.55 : 0.15));
+    property->SetDiffuse(coloured ? 0.70 : 0.85);
+    property->SetAmbientColor(selected ? 1.0 : colour.redF(), selected ? 0.85 : colour.greenF(),
+                              selected ? 0.2 : colour.blueF());
   }
 }
 
 void MeshPresenter::drawCoarsely(const CoarseMeshes* meshes) {
   for (const auto& actor : actors_) {
     actor->drawCoarsely(meshes == nullptr ? nullptr : meshes->of(actor->triangles()));
+  }
+}
+
+QColor MeshPresenter::colourOf(const document::StudyDocument& /*document*/, const document::Appearance& look) const {
+  return look.colour;
+}
+
+QColor OrganPresenter::colourOf(const document::StudyDocument& document, const document::Appearance& look) const {
+  // A colour that says nothing, until there is one that does.
+  return document.inspection().colouring == document::Colouring::own ? look.colour : unknownColour;
+}
+
+void OrganPresenter::showColours(const jobs::OrganColours* colours, const ColourScale& scale) {
+  for (std::size_t m = 0; m < actors().size(); ++m) {
+    std::vector<MeshActor::Rgb> rgb;
+    if (colours != nullptr && !colours->values.empty()) {
+      const std::vector<float>& values = colours->values[model_ * actors().size() + m];
+      rgb.reserve(values.size());
+      for (const float value : values) {
+        const QColor colour = scale.at(value);
+        rgb.push_back({static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
+                       static_cast<unsigned char>(colour.blue())});
+      }
+    }
+    actors()[m]->colourVertices(rgb);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lorica/document/inspection.h"
 #include "mesh_actor.h"
 #include "presenter.h"
 
@@ -28,6 +29,9 @@ class MeshPresenter : public Presenter {
     std::span<const geometry::Vec3f> normals;
   };
   virtual std::vector<Mesh> meshesOf(const jobs::Frame& frame) const = 0;
+  /// The colour of all of a mesh, where its vertices have none of their own.
+  virtual QColor colourOf(const document::StudyDocument& document, const document::Appearance& look) const;
+  const std::vector<std::unique_ptr<MeshActor>>& actors() const { return actors_; }
 
  private:
   void rebuild(const std::vector<Mesh>& meshes);
@@ -49,9 +53,11 @@ class OrganPresenter final : public MeshPresenter {
  public:
   /// \param model index into the frame's models
   OrganPresenter(vtkRenderer* renderer, std::size_t model) : MeshPresenter(renderer), model_(model) {}
+  void showColours(const jobs::OrganColours* colours, const ColourScale& scale) override;
 
  private:
   std::vector<Mesh> meshesOf(const jobs::Frame& frame) const override;
+  QColor colourOf(const document::StudyDocument& document, const document::Appearance& look) const override;
   std::size_t model_;
 };
 

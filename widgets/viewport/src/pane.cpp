@@ -2,6 +2,7 @@
 
 #include <vtkTextProperty.h>
 
+#include "driver_presenter.h"
 #include "floor_presenter.h"
 #include "mesh_presenter.h"
 #include "source_presenter.h"
@@ -32,6 +33,7 @@ Pane::Pane(std::size_t model, vtkCamera* camera) {
   presenters_.push_back(std::make_unique<SkinPresenter>(renderer_));
   presenters_.push_back(std::make_unique<OrganPresenter>(renderer_, model));
   presenters_.push_back(std::make_unique<ArmorPresenter>(renderer_));
+  presenters_.push_back(std::make_unique<DriverPresenter>(renderer_, model));
   presenters_.push_back(std::make_unique<SourcePresenter>(renderer_));
   auto shots = std::make_unique<ShotPresenter>(renderer_, model);
   shots_ = shots.get();
@@ -58,6 +60,12 @@ void Pane::showFrame(const std::shared_ptr<const jobs::Frame>& frame, const QStr
 void Pane::restyle(const document::StudyDocument& document) {
   for (const auto& presenter : presenters_) {
     presenter->restyle(document);
+  }
+}
+
+void Pane::showColours(const jobs::OrganColours* colours, const ColourScale& scale) {
+  for (const auto& presenter : presenters_) {
+    presenter->showColours(colours, scale);
   }
 }
 

@@ -27,6 +27,8 @@ class Pane {
   void restyle(const document::StudyDocument& document);
   /// Draws less of everything, fewer depth layers of what is translucent, edges unsmoothed; null: all there is.
   void drawCoarsely(const CoarseMeshes* meshes);
+  /// Null: organs have no values. \pre of the frame that is shown
+  void showColours(const jobs::OrganColours* colours, const ColourScale& scale);
 
  private:
   vtkNew<vtkRenderer> renderer_;

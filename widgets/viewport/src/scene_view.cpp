@@ -13,6 +13,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -23,9 +24,10 @@
 #include "camera_style.h"
 #include "canvas.h"
 #include "coarse_meshes.h"
-#include "lorica/document/appearance.h"
+#include "legend.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/raycast/caster.h"
+#include "organ_colouring.h"
 #include "pane.h"
 
 namespace lorica::viewport {
@@ -76,8 +78,12 @@ void dressAxes(vtkAxesActor* axes) {
 }  // namespace
 
 struct SceneView::Impl {
+  explicit Impl(const document::StudyDocument& document) : colouring(document) {}
+
   Canvas* widget = nullptr;
   QLabel* hint = nullptr;
+  Legend* legend = nullptr;
+  OrganColouring colouring;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkCamera> camera;
   vtkNew<CameraStyle> style;
@@ -100,7 +106,7 @@ struct SceneView::Impl {
 };
 
 SceneView::SceneView(document::StudyDocument& document, QWidget* parent)
-    : QWidget(parent), document_(document), impl_(std::make_unique<Impl>()) {
+    : QWidget(parent), document_(document), impl_(std::make_unique<Impl>(document)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   impl_->widget = new Canvas(this);
@@ -116,6 +122,7 @@ SceneView::SceneView(document::StudyDocument& document, QWidget* parent)
   impl_->hint->setAutoFillBackground(true);
   impl_->hint->setMargin(6);
   impl_->hint->hide();
+  impl_->legend = new Legend(impl_->widget);
   impl_->window->SetMultiSamples(0);
   impl_->window->SetAlphaBitPlanes(1);
   impl_->empty->SetBackground(0.86, 0.88, 0.90);
@@ -158,11 +165,23 @@ SceneView::SceneView(document::StudyDocument& document, QWidget* parent)
 
   using document::StudyDocument;
   connect(&document_, &StudyDocument::studyChanged, this, [this](document::Changes what) {
+    if (what.testFlag(document::Change::display)) {
+      // A slider may be dragged: in motion as the camera is.
+      beginMotion(restMs);
+    }
     if (what.testFlag(document::Change::display) || what.testFlag(document::Change::sources)) {
       restyle();
     }
   });
   connect(&document_, &StudyDocument::selectionChanged, this, &SceneView::restyle);
+  connect(&document_, &StudyDocument::inspectionChanged, this, [this] {
+    followColours();
+    restyle();
+  });
+  connect(&impl_->colouring, &OrganColouring::found, this, [this] {
+    showColours();
+    restyle();
+  });
 }
 
 SceneView::~SceneView() {
@@ -227,6 +246,7 @@ void SceneView::showFrame(std::shared_ptr<const jobs::Frame> frame) {
   }
   // The old frame goes only now that nobody draws it any more.
   impl_->frame = std::move(frame);
+  followColours();
   beginMotion(restMs);
   restyle();
   if (other) {
@@ -238,7 +258,28 @@ void SceneView::restyle() {
   for (const auto& pane : impl_->panes) {
     pane->restyle(document_);
   }
+  const OrganColouring& colouring = impl_->colouring;
+  impl_->legend->show(legendFor(document_, impl_->frame.get(), colouring.colours(), colouring.scale()));
+  placeLegend();
   scheduleDrawing();
+}
+
+void SceneView::followColours() {
+  impl_->colouring.follow(impl_->frame);
+  showColours();
+}
+
+void SceneView::showColours() {
+  for (const auto& pane : impl_->panes) {
+    pane->showColours(impl_->colouring.colours(), impl_->colouring.scale());
+  }
+}
+
+void SceneView::placeLegend() {
+  constexpr int gap = 12;
+  const QSize room = impl_->widget->size();
+  const QSize size = impl_->legend->size();
+  impl_->legend->move(room.width() - size.width() - gap, room.height() - size.height() - gap);
 }
 
 void SceneView::scheduleDrawing() {
@@ -343,6 +384,39 @@ void SceneView::fit() {
   for (std::size_t p = 0; p < impl_->frame->study->pieces.size(); ++p) {
     box.extend(geometry::bounds(impl_->frame->scene->piece(p)));
   }
+  fitTo(box);
+}
+
+void SceneView::fitSelection() {
+  const auto& selection = document_.selection();
+  if (impl_->frame == nullptr || !selection) {
+    fit();
+    return;
+  }
+  geometry::Box3d box;
+  const analysis::LoadedStudy& study = *impl_->frame->study;
+  const analysis::PosedScene& scene = *impl_->frame->scene;
+  for (std::size_t o = 0; o < study.organs.size(); ++o) {
+    for (std::size_t m = 0; m < scene.models().size(); ++m) {
+      if (selection->kind == document::ItemKind::organ && study.organs[o]->name == selection->name) {
+        box.extend(geometry::bounds(scene.organ(o, m)));
+      }
+    }
+  }
+  for (std::size_t p = 0; p < study.pieces.size(); ++p) {
+    if (selection->kind == document::ItemKind::piece && study.pieces[p]->name == selection->name) {
+      box.extend(geometry::bounds(scene.piece(p)));
+    }
+  }
+  if (box.isEmpty()) {
+    fit();
+    return;
+  }
+  const Vec3d around = 0.35 * box.sizes();
+  fitTo(geometry::Box3d(box.min() - around, box.max() + around));
+}
+
+void SceneView::fitTo(const geometry::Box3d& box) {
   vtkCamera* camera = impl_->camera;
   const Vec3d middle = box.center();
   const Vec3d direction(camera->GetDirectionOfProjection());
@@ -377,7 +451,15 @@ QImage SceneView::picture() {
   endMotion();
   impl_->drawing.stop();
   draw();
-  return impl_->widget->grabFramebuffer();
+  QImage image = impl_->widget->grabFramebuffer();
+  if (impl_->legend->isVisibleTo(impl_->widget)) {
+    image.setDevicePixelRatio(impl_->widget->devicePixelRatioF());
+    QPainter painter(&image);
+    impl_->legend->render(&painter, impl_->legend->pos(), {}, DrawChildren);
+    painter.end();
+    image.setDevicePixelRatio(1.0);
+  }
+  return image;
 }
 
 bool SceneView::eventFilter(QObject* watched, QEvent* event) {
@@ -386,6 +468,7 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
   }
   if (event->type() == QEvent::Resize) {
     beginMotion(restMs);
+    placeLegend();
   } else if (event->type() == QEvent::MouseButtonPress) {
     impl_->pressed = static_cast<QMouseEvent*>(event)->position();
   } else if (event->type() == QEvent::MouseButtonRelease) {
@@ -465,8 +548,8 @@ void SceneView::click(const QPointF& place) {
         : what.kind == Kind::piece
             ? document::ItemRef{document::ItemKind::piece, frame.study->pieces[what.index]->name}
             : document::ItemRef{document::ItemKind::organ, frame.study->organs[what.index]->name};
-    const document::Appearance look = document::appearanceOf(
-        document_.study(), item.kind == document::ItemKind::body ? std::string("body") : item.name);
+    const document::Appearance look =
+        document::drawnAppearance(document_, item.kind == document::ItemKind::body ? std::string("body") : item.name);
     if (!look.visible) {
       continue;
     }

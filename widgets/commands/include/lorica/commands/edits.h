@@ -22,7 +22,10 @@ using document::StudyDocument;
 /// Control characters of the name become spaces.
 void setStudyName(StudyDocument& document, const std::string& name);
 void setStudyDescription(StudyDocument& document, const std::string& text);
-/// Whom the built-in human stands for. \pre the study is one of the built-in human, and a body can be made for the
+/// Of an organ, system, piece, pose or source.
+void setDescription(StudyDocument& document, const ItemRef& item, const std::string& text);
+/// Whom the built-in human stands for. Pieces of the built-in armor that have the areal density of the program take
+/// that for the new person; one that was put in by hand stays. \pre the study is one of the built-in human, and a body can be made for the
 /// person (manikin::checkPerson())
 void setPerson(StudyDocument& document, const human::Person& person);
 void setModels(StudyDocument& document, const std::vector<viscera::OrganModel>& models);

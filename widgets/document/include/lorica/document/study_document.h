@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "lorica/analysis/results.h"
+#include "lorica/document/inspection.h"
 #include "lorica/document/item_ref.h"
 #include "lorica/study/study.h"
 
@@ -105,6 +106,10 @@ class StudyDocument : public QObject {
   const std::vector<viscera::OrganModel>& shownModels() const { return shownModels_; }
   /// \pre one or two different models
   void showModels(std::vector<viscera::OrganModel> models);
+  /// What is looked at of how organs deform. An organ that is renamed or removed is looked into no more.
+  const Inspection& inspection() const { return inspection_; }
+  /// \pre the organ is one of the study's, or none
+  void inspect(Inspection inspection);
 
   /// The study read and bound, as last it could be; null before. May lag behind study() while it is read again.
   const std::shared_ptr<const analysis::LoadedStudy>& loaded() const { return loaded_; }
@@ -117,7 +122,8 @@ class StudyDocument : public QObject {
   /// Names the run and keeps it.
   void addRun(std::shared_ptr<const analysis::LoadedStudy> study, analysis::RunResult result);
 
-  /// Changes the study and tells everybody. A selection or shown pose that is gone is dropped before anybody is told.
+  /// Changes the study and tells everybody. A selection, shown pose or inspected organ that is gone is dropped before
+  /// anybody is told.
   void edit(EditKey, Changes what, const std::function<void(study::Study&)>& change);
 
  Q_SIGNALS:
@@ -129,6 +135,7 @@ class StudyDocument : public QObject {
   void selectionChanged();
   void shownPoseChanged();
   void shownModelsChanged();
+  void inspectionChanged();
   void loadedChanged();
   void problemsChanged();
   void runsChanged();
@@ -147,12 +154,13 @@ class StudyDocument : public QObject {
   std::optional<ItemRef> selection_;
   std::string shownPose_ = "rest";
   std::vector<viscera::OrganModel> shownModels_{viscera::OrganModel::dynamic};
+  Inspection inspection_;
   std::shared_ptr<const analysis::LoadedStudy> loaded_;
   base::Issues problems_;
   std::vector<std::shared_ptr<const RunRecord>> runs_;
 };
 
-/// Whether two studies give the same tables: names and descriptions of the whole, what armor is made of, and how things
+/// Whether two studies give the same tables: the name of the whole, descriptions, what armor is made of, and how things
 /// are drawn, change no number.
 bool sameNumbers(const study::Study& a, const study::Study& b);
 

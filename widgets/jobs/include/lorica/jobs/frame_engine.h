@@ -15,6 +15,7 @@
 
 #include "lorica/analysis/posed_scene.h"
 #include "lorica/analysis/shot_paths.h"
+#include "lorica/jobs/organ_drivers.h"
 
 namespace lorica::jobs {
 
@@ -28,7 +29,9 @@ struct Frame {
   std::vector<Normals> pieceNormals;
   std::vector<Normals> organNormals;  ///< model by model
   std::vector<analysis::ShotPath> shots;
-  double engineMs = 0.0;  ///< deforming everything and refitting the ray tracer, without the drawing
+  std::string driversOf;              ///< the organ whose drivers were asked for; empty: none, or no organ of the study
+  std::vector<OrganDrivers> drivers;  ///< of that organ, one for each model; else empty
+  double engineMs = 0.0;              ///< deforming everything and refitting the ray tracer, without the drawing
 };
 
 struct FrameRequest {
@@ -37,6 +40,7 @@ struct FrameRequest {
   /// Which shots to draw; none: no shots. Index into Study::sources.
   std::optional<std::size_t> shotSource;
   std::size_t shotLimit = 300;
+  std::string driversOf;  ///< organ whose drivers are wanted; empty: none
 };
 
 class FrameEngine : public QObject {
@@ -62,7 +66,8 @@ class FrameEngine : public QObject {
   void work();
   std::shared_ptr<Frame> spareFrame(const std::shared_ptr<const analysis::LoadedStudy>& study,
                                     const FrameRequest& request);
-  void fill(Frame& frame, const FrameRequest& request) const;
+  void fill(Frame& frame, const FrameRequest& request);
+  void fillDrivers(Frame& frame, const std::string& organ);
 
   mutable std::mutex mutex_;
   std::condition_variable wake_;
@@ -70,7 +75,10 @@ class FrameEngine : public QObject {
   std::optional<FrameRequest> waiting_;
   bool working_ = false;
   bool stop_ = false;
-  std::vector<std::shared_ptr<Frame>> pool_;  ///< touched by the worker alone
+  // Touched by the worker alone.
+  std::vector<std::shared_ptr<Frame>> pool_;
+  std::shared_ptr<const analysis::LoadedOrgan> layoutsOf_;
+  std::vector<std::shared_ptr<const DriverLayout>> layouts_;  ///< of that organ, for the models asked for so far
   std::thread thread_;
 };
 

@@ -1,11 +1,12 @@
 #pragma once
 
 /// \file
-/// The four organ models as the window names them.
+/// The four organ models, and what can be seen of how they work, as the window names them.
 
 #include <QString>
 #include <array>
 
+#include "lorica/document/inspection.h"
 #include "lorica/viscera/organ_rig.h"
 
 namespace lorica::models {
@@ -17,5 +18,21 @@ struct ModelText {
 };
 
 std::array<ModelText, 4> modelTexts();
+
+struct DriverText {
+  document::Driver driver;
+  QString label;
+  QString tip;
+};
+
+std::array<DriverText, 5> driverTexts();
+
+struct ColouringText {
+  document::Colouring colouring;
+  QString label;
+  QString tip;
+};
+
+std::array<ColouringText, 3> colouringTexts();
 
 }  // namespace lorica::models

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// Grouped bars with intervals, as one chart that can be shown or printed.
+/// Grouped bars, with intervals where they have them, as one chart that can be shown or printed.
 
 #include <QBarCategoryAxis>
 #include <QBarSeries>
@@ -17,12 +17,15 @@
 
 namespace lorica::panels {
 
-/// One bar, in percent.
+/// One bar: a share that was counted, with its interval, or a number that was measured.
 struct FigureBar {
-  double value = 0.0;                       ///< 0 where there is no value
-  std::optional<stats::Interval> interval;  ///< in percent as well; none where there is no value
-  std::uint64_t hits = 0;                   ///< numerator
-  std::uint64_t of = 0;                     ///< denominator
+  double value = 0.0;                       ///< in the figure's unit; 0 where there is no value
+  std::optional<stats::Interval> interval;  ///< likewise, of a share; none where there is no value
+  std::uint64_t hits = 0;                   ///< numerator of a share
+  std::uint64_t of = 0;                     ///< denominator of a share
+  bool measured = false;                    ///< a number that has no interval
+
+  bool isBlank() const { return !interval && !measured; }
 };
 
 struct FigureSeries {
@@ -39,7 +42,9 @@ struct FigureData {
   QString countText;  ///< "%1 of %2 body hits": what the numbers of a bar count
   std::vector<std::string> categories;
   std::vector<FigureSeries> series;
-  std::optional<double> highest;  ///< end of the value axis; none: what the bars need
+  std::optional<double> highest;        ///< end of the value axis; none: what the bars need
+  QString unit = QStringLiteral(" %");  ///< as it follows a number
+  int decimals = 2;                     ///< of a bar's number
 };
 
 /// The colour of an organ model, told apart by the colour-blind and in grey.

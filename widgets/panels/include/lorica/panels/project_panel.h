@@ -45,6 +45,7 @@ class ProjectPanel : public QWidget {
   void giveSelection();
   void restoreExpansion();
   void updateState();
+  void fillDriverMenu(QMenu& menu, const std::string& organ);
   void showOnlyCurrent();
   void chooseColour();
   void resetLook();

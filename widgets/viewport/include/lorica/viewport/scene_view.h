@@ -5,6 +5,9 @@
 /// shows frames and listens to the document for colours, visibility and selection. The one room that knows VTK's
 /// rendering.
 ///
+/// Where the document's inspection asks for it, what drives an organ is drawn around it, organs are coloured by how
+/// they fare once the pose rests, and a legend says what is what.
+///
 /// However many things change at once, there is one drawing of the newest, as soon as nothing else waits to be done.
 /// Where a drawing in full is too slow for that, as without a graphics card, coarse ones are drawn while something
 /// moves, and what is shown is drawn in full when it has come to rest.
@@ -36,6 +39,8 @@ class SceneView : public QWidget {
   void lookFrom(StandardView view);
   /// Moves the camera so that the whole body is seen.
   void fit();
+  /// The same for the organ or piece that is selected, with what is around it; the whole body where none is.
+  void fitSelection();
   /// Which shots of the frames are drawn, by what they met: "" all, "hits", "miss", "body", "armor", "organs" or
   /// a structure.
   void setShotFilter(const std::string& met);
@@ -64,6 +69,10 @@ class SceneView : public QWidget {
   struct Impl;
   void arrangePanes(std::size_t count);
   void restyle();
+  void followColours();
+  void showColours();
+  void placeLegend();
+  void fitTo(const geometry::Box3d& box);
   void click(const QPointF& place);
   void scheduleDrawing();
   void draw();
