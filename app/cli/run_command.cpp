@@ -32,17 +32,28 @@ analysis::LoadedStudy loadForRun(const RunArguments& arguments) {
   return analysis::load(std::move(study), arguments.study, {arguments.threads}, stage.progress());
 }
 
+/// What the shots of a source fill.
+std::string sizeOf(const analysis::ShotSource& source) {
+  const std::string shots = base::readableCount(source.shots) + " shots a trial";
+  switch (source.measure.basis) {
+    case shotline::Basis::solidAngle:
+      return fmt::format("{} over {:.6f} sr", shots, source.measure.total);
+    case shotline::Basis::area:
+      return fmt::format("{} over {:.4f} m2 across them", shots, source.measure.total);
+    case shotline::Basis::shots:
+      break;
+  }
+  const auto* point = std::get_if<shotline::PointSource>(&source.source.shape);
+  return shots + (point != nullptr ? ", Eq 15, without a solid angle" : ", as listed");
+}
+
 void sayWhatWasShot(const analysis::RunResult& result) {
   raycast::CastCounts counts;
   for (const analysis::SourcePoseResult& here : result.results) {
     counts.add(here.counts);
   }
   for (const analysis::ShotSource& source : result.sources) {
-    if (source.solidAngle > 0.0) {
-      fmt::print("source {}: cone of {:.6f} sr around the posed skin\n", source.source.name, source.solidAngle);
-    } else {
-      fmt::print("source {}: Eq 15, without a solid angle\n", source.source.name);
-    }
+    fmt::print("source {}: {}\n", source.source.name, sizeOf(source));
   }
   fmt::print("{} rays; {} traced again, {} unresolved, {} near an open edge\n", base::readableCount(counts.rays),
              base::readableCount(counts.retraced), base::readableCount(counts.unresolved),

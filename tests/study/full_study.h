@@ -48,7 +48,16 @@ inline const char* const fullStudy = R"({
   "sources": [
     {"name": "front", "description": "e", "type": "point", "position": [0, 1, 5], "target": [0, 1.2, 0],
      "sampler": "thesis", "shots": 1000},
-    {"name": "left", "position": [5, 1, 0]}
+    {"name": "left", "position": [5, 1, 0]},
+    {"name": "window", "position": [0, 1, 5], "target_structure": "heart", "sampler": "rectangle", "width_m": 0.5,
+     "height_m": 0.75, "sequence": "sobol"},
+    {"name": "disk", "position": [0, 1, 5], "sampler": "disk", "radius_m": 0.25},
+    {"name": "far", "type": "parallel", "azimuth_deg": 30, "elevation_deg": -10, "sequence": "grid", "cell_mm": 12.5},
+    {"name": "ground", "type": "band", "azimuth_deg": [0, 360], "elevation_deg": [-15, 15], "target": [0, 1, 0],
+     "sequence": "sobol", "shots": 5000},
+    {"name": "all", "type": "sphere"},
+    {"name": "listed", "type": "list", "file": "shots.csv",
+     "sha256": "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef"}
   ],
   "models": ["static_skin", "dynamic_thesis"],
   "trials": 7,

@@ -69,6 +69,7 @@ TEST(StudySchema, HasTheWordsOfTheReaderForEveryChoice) {
   EXPECT_EQ(wordsAt("/$defs/lattice/properties/layout/enum"), wordsOf(layoutWords));
   EXPECT_EQ(wordsAt("/$defs/piece/properties/carriage/enum"), wordsOf(carriageWords));
   EXPECT_EQ(wordsAt("/$defs/source/properties/sampler/enum"), wordsOf(samplerWords));
+  EXPECT_EQ(wordsAt("/$defs/source/properties/sequence/enum"), wordsOf(sequenceWords));
   EXPECT_EQ(wordsAt("/$defs/source/properties/type/enum"), wordsOf(sourceTypeWords));
   EXPECT_EQ(wordsAt("/$defs/structureName/not/enum"), Words(reservedStructures.begin(), reservedStructures.end()));
   for (const char* object : {"human", "organ", "piece"}) {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
+#include <map>
 
 #include "lorica/analysis/posed_scene.h"
 #include "lorica/base/error.h"
@@ -13,59 +13,56 @@
 
 namespace lorica::analysis {
 
-using geometry::Vec3f;
-
-ShotSource prepareSource(const LoadedStudy& study, std::size_t source, std::span<const std::span<const Vec3f>> skins,
-                         base::Issues& issues) {
-  geometry::Box3d box;
-  for (const std::span<const Vec3f> skin : skins) {
-    box.extend(geometry::bounds(skin));
-  }
-  const study::Source& wanted = study.study.sources[source];
-  ShotSource made;
-  made.source.name = wanted.name;
-  made.source.position = wanted.position;
-  made.source.target = wanted.target.value_or(box.center());
-  made.source.sampler = wanted.sampler;
-  made.shots = wanted.shots;
-  if (made.source.position == made.source.target) {
-    throw base::InputError(study.file.string(), fmt::format("/sources/{}", source),
-                           "the source stands on its target; move one of them");
-  }
-  if (wanted.sampler == shotline::Sampler::thesis) {
-    issues.push_back({base::Severity::warning, "", wanted.name,
-                      "the thesis' sampler (Eq 15) sends half of its shots backwards and its hit rate depends on the "
-                      "world's axes; use it for comparison only"});
-    return made;
-  }
-  made.source.halfAngle = shotline::boundingHalfAngle(made.source.position, made.source.target, skins);
-  made.solidAngle = shotline::solidAngle(made.source.halfAngle);
-  if (made.source.halfAngle == std::numbers::pi) {
-    issues.push_back({base::Severity::warning, "", wanted.name,
-                      "the source stands so near the body, or in it, that no cone bounds the body; its shots go in "
-                      "every direction"});
-  }
-  return made;
-}
-
 namespace {
-
-/// Sources with targets and cones that bound the posed skins of all poses compared.
-std::vector<ShotSource> prepareSources(const LoadedStudy& study, const RunOptions& options,
-                                       const std::vector<geometry::Positions>& skins, base::Issues& issues) {
-  const std::vector<std::span<const Vec3f>> spans(skins.begin(), skins.end());
-  std::vector<ShotSource> sources;
-  for (std::size_t i = 0; i < study.study.sources.size(); ++i) {
-    sources.push_back(prepareSource(study, i, spans, issues));
-    sources.back().shots = options.shots.value_or(sources.back().shots);
-  }
-  return sources;
-}
 
 struct Plan {
   std::vector<NamedPose> poses;
-  std::vector<geometry::Positions> skins;  // posed, one per pose
+  std::vector<geometry::Positions> skins;        // posed, one per pose
+  std::map<std::string, geometry::Box3d> boxes;  // of structures that sources are aimed at, over all poses
 };
+
+/// Extends the boxes of the structures that sources are aimed at by a pose.
+void extendBoxes(const LoadedStudy& study, const std::vector<viscera::OrganModel>& models, const NamedPose& pose,
+                 const parenting::PosedBody& body, base::Threads threads, Plan& plan) {
+  const auto aimedAt = [&](const std::string& name) {
+    return std::any_of(study.study.sources.begin(), study.study.sources.end(),
+                       [&](const study::Source& source) { return source.targetStructure == name; });
+  };
+  for (const auto& organ : study.organs) {
+    geometry::Positions posed(organ->rig.rest.positions.size());
+    for (std::size_t m = 0; aimedAt(organ->name) && m < models.size(); ++m) {
+      viscera::poseOrgan(organ->rig, models[m], *study.body, body, posed, threads);
+      plan.boxes[organ->name].extend(geometry::bounds(posed));
+    }
+  }
+  for (const auto& piece : study.pieces) {
+    if (aimedAt(piece->name)) {
+      geometry::Positions posed(piece->rig.rest.positions.size());
+      armor::posePiece(piece->rig, body, armor::pieceDeltas(*study.body, pose.pose), posed, threads);
+      plan.boxes[piece->name].extend(geometry::bounds(posed));
+    }
+  }
+}
+
+/// Sources with targets, cones and disks that bound the posed skins of all poses compared.
+std::vector<ShotSource> prepareSources(const LoadedStudy& study, const RunOptions& options, const Plan& plan,
+                                       base::Issues& issues) {
+  Aim aim;
+  aim.skins.assign(plan.skins.begin(), plan.skins.end());
+  aim.boxOf = [&](const std::string& structure) {
+    const auto found = plan.boxes.find(structure);
+    return found == plan.boxes.end() ? geometry::Box3d() : found->second;
+  };
+  std::vector<ShotSource> sources;
+  for (std::size_t i = 0; i < study.study.sources.size(); ++i) {
+    sources.push_back(prepareSource(study, i, aim, issues));
+    const study::Source& wanted = study.study.sources[i];
+    if (wanted.type != study::SourceType::list && wanted.sequence != study::Sequence::grid) {
+      sources.back().shots = options.shots.value_or(sources.back().shots);
+    }
+  }
+  return sources;
+}
 
 Plan planPoses(const LoadedStudy& study, const RunOptions& options, RunResult& result, const base::Progress& progress) {
   Plan plan;
@@ -91,6 +88,7 @@ Plan planPoses(const LoadedStudy& study, const RunOptions& options, RunResult& r
                                            "stands in for each",
                                            collapsed)});
     }
+    extendBoxes(study, result.models, pose, posed, options.threads, plan);
     plan.skins.push_back(std::move(posed.skin));
   }
   return plan;
@@ -113,7 +111,7 @@ RunResult run(const LoadedStudy& study, const RunOptions& options, const base::P
     result.partial = true;
     return result;
   }
-  result.sources = prepareSources(study, options, plan.skins, result.issues);
+  result.sources = prepareSources(study, options, plan, result.issues);
 
   for (std::size_t s = 0; s < result.sources.size(); ++s) {
     for (std::size_t p = 0; p < plan.poses.size(); ++p) {

@@ -10,6 +10,7 @@
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
 #include "lorica/study/study_file.h"
+#include "section_readers.h"
 #include "study_upgrade.h"
 #include "study_words.h"
 
@@ -53,15 +54,6 @@ std::vector<std::string> nameList(const Node& node, const std::string& what) {
     taken.claim(entry, names.back());
   }
   return names;
-}
-
-std::string sha256Text(const Node& node) {
-  const char* what = "64 lower-case hexadecimal digits";
-  std::string digits = node.text(what);
-  if (digits.size() != 64 || digits.find_first_not_of("0123456789abcdef") != std::string::npos) {
-    node.failExpected(what);
-  }
-  return digits;
 }
 
 /// The keys of a mesh inside the object that has it.
@@ -139,11 +131,6 @@ void readHuman(const Node& node, Study& study) {
     }
     study.jointRoles = readJointRoles(roles);
   }
-}
-
-std::string readDescription(const Node& node) {
-  const Node text = node["description"];
-  return text.present() ? text.text("a text") : "";
 }
 
 std::array<int, 3> readCells(const Node& node) {
@@ -305,29 +292,6 @@ Pose readPose(const Node& node, Names& poses) {
   return pose;
 }
 
-Source readSource(const Node& node, Names& sources) {
-  node.checkObject("a source of shots", sourceKeys);
-  Source source;
-  const Node name = node["name"];
-  source.name = name.name("a name");
-  sources.claim(name, source.name);
-  source.description = readDescription(node);
-  if (const Node type = node["type"]; type.present()) {
-    type.choice(sourceTypeWords);
-  }
-  source.position = node["position"].vector("metres");
-  if (const Node target = node["target"]; target.present()) {
-    source.target = target.vector("metres");
-  }
-  if (const Node sampler = node["sampler"]; sampler.present()) {
-    source.sampler = sampler.choice(samplerWords);
-  }
-  if (const Node shots = node["shots"]; shots.present()) {
-    source.shots = shots.whole(1, 1'000'000'000'000ULL);
-  }
-  return source;
-}
-
 /// "#rrggbb".
 std::array<std::uint8_t, 3> readColour(const Node& node) {
   const char* what = "a colour such as \"#c02818\"";
@@ -412,7 +376,8 @@ void readLists(const Node& root, Study& study) {
   }
   if (const Node list = root["sources"]; list.present()) {
     for (const Node& source : list.list("a list of sources")) {
-      study.sources.push_back(readSource(source, sources));
+      study.sources.push_back(readSource(source));
+      sources.claim(source["name"], study.sources.back().name);
     }
   }
   if (const Node list = root["display"]; list.present()) {

@@ -28,8 +28,9 @@ inline constexpr auto pieceKeys =
 inline constexpr auto poseKeys =
     std::to_array<std::string_view>({"name", "description", "clip", "seconds", "turns", "root_offset"});
 inline constexpr auto turnKeys = std::to_array<std::string_view>({"joint", "degrees"});
-inline constexpr auto sourceKeys =
-    std::to_array<std::string_view>({"name", "description", "type", "position", "target", "sampler", "shots"});
+inline constexpr auto sourceKeys = std::to_array<std::string_view>(
+    {"name", "description", "type", "position", "target", "target_structure", "sampler", "width_m", "height_m",
+     "radius_m", "azimuth_deg", "elevation_deg", "sequence", "cell_mm", "file", "sha256", "shots"});
 inline constexpr auto displayKeys = std::to_array<std::string_view>({"structure", "visible", "colour", "opacity"});
 
 template <class Value>
@@ -44,8 +45,10 @@ inline constexpr auto layoutWords =
                                                   {"cell_size", LatticeSettings::Layout::cellSize}});
 inline constexpr auto carriageWords =
     std::to_array<Word<Carriage>>({{"rigid", Carriage::rigid}, {"skinned", Carriage::skinned}});
-inline constexpr auto samplerWords =
-    std::to_array<Word<Sampler>>({{"cone", Sampler::cone}, {"thesis", Sampler::thesis}});
+inline constexpr auto samplerWords = std::to_array<Word<Sampler>>(
+    {{"cone", Sampler::cone}, {"rectangle", Sampler::rectangle}, {"disk", Sampler::disk}, {"thesis", Sampler::thesis}});
+inline constexpr auto sequenceWords =
+    std::to_array<Word<Sequence>>({{"random", Sequence::random}, {"sobol", Sequence::sobol}, {"grid", Sequence::grid}});
 inline constexpr auto modelWords = std::to_array<Word<OrganModel>>({{"static_joint", OrganModel::staticJoint},
                                                                     {"static_skin", OrganModel::staticSkin},
                                                                     {"dynamic_thesis", OrganModel::dynamicThesis},
@@ -59,8 +62,11 @@ inline constexpr auto unitWords = std::to_array<Word<base::LengthUnit>>({{"m", b
 inline constexpr auto upWords = std::to_array<Word<char>>({{"y", 'y'}, {"z", 'z'}});
 inline constexpr auto classWords =
     std::to_array<Word<std::string_view>>({{"essential", "essential"}, {"desirable", "desirable"}});
-/// Sources are points so far.
-inline constexpr auto sourceTypeWords = std::to_array<Word<std::string_view>>({{"point", "point"}});
+inline constexpr auto sourceTypeWords = std::to_array<Word<SourceType>>({{"point", SourceType::point},
+                                                                         {"parallel", SourceType::parallel},
+                                                                         {"band", SourceType::band},
+                                                                         {"sphere", SourceType::sphere},
+                                                                         {"list", SourceType::list}});
 
 /// The text of a choice. \pre the value is in the table
 template <class Value, std::size_t N>

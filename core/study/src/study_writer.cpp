@@ -186,14 +186,67 @@ Json poseJson(const Pose& pose) {
   return object;
 }
 
-Json sourceJson(const Source& source) {
-  Json object = named(source.name, source.description);
-  object["position"] = vectorJson(source.position);
+/// What a point alone has, after its position and before its target.
+void putPosition(Json& object, const Source& source) {
+  if (source.type == SourceType::point) {
+    object["position"] = vectorJson(source.position);
+  }
+}
+
+void putAngles(Json& object, const Source& source) {
+  if (source.type == SourceType::parallel) {
+    object["azimuth_deg"] = source.azimuth.from;
+    object["elevation_deg"] = source.elevation.from;
+  }
+  if (source.type == SourceType::band) {
+    object["azimuth_deg"] = Json::array({source.azimuth.from, source.azimuth.to});
+    object["elevation_deg"] = Json::array({source.elevation.from, source.elevation.to});
+  }
+}
+
+void putTarget(Json& object, const Source& source) {
   if (source.target) {
     object["target"] = vectorJson(*source.target);
   }
+  putText(object, "target_structure", source.targetStructure);
+}
+
+void putSampler(Json& object, const Source& source) {
+  if (source.type != SourceType::point) {
+    return;
+  }
   object["sampler"] = wordFor(source.sampler, samplerWords);
-  object["shots"] = source.shots;
+  if (source.sampler == Sampler::rectangle) {
+    object["width_m"] = source.width;
+    object["height_m"] = source.height;
+  }
+  if (source.sampler == Sampler::disk) {
+    object["radius_m"] = source.radius;
+  }
+}
+
+Json sourceJson(const Source& source) {
+  Json object = named(source.name, source.description);
+  if (source.type != SourceType::point) {
+    object["type"] = wordFor(source.type, sourceTypeWords);
+  }
+  if (source.type == SourceType::list) {
+    object["file"] = source.list.path;
+    putText(object, "sha256", source.list.sha256);
+    return object;
+  }
+  putPosition(object, source);
+  putAngles(object, source);
+  putTarget(object, source);
+  putSampler(object, source);
+  if (source.sequence != Sequence::random) {
+    object["sequence"] = wordFor(source.sequence, sequenceWords);
+  }
+  if (source.sequence == Sequence::grid) {
+    object["cell_mm"] = millimetres(source.cell);
+  } else {
+    object["shots"] = source.shots;
+  }
   return object;
 }
 

@@ -133,7 +133,7 @@ void FrameEngine::fill(Frame& frame, const FrameRequest& request) const {
   frame.shots.clear();
   if (request.shotSource && *request.shotSource < study.study.sources.size()) {
     const analysis::ShotSource source = analysis::shotSourceFor(study, *request.shotSource, *frame.scene);
-    frame.shots = analysis::shotPaths(*frame.scene, source.source, study.study.seed, request.shotLimit);
+    frame.shots = analysis::shotPaths(*frame.scene, source, study.study.seed, request.shotLimit);
   }
 }
 

@@ -13,15 +13,15 @@ struct RunOptions {
   std::vector<std::string> poses;  ///< names or CLIP@SECONDS
   std::optional<std::uint64_t> seed;
   std::optional<std::uint32_t> trials;
-  std::optional<std::uint64_t> shots;  ///< per trial, for every source
+  std::optional<std::uint64_t> shots;  ///< per trial, for every source but grids and lists, which have their own
   base::Threads threads;
 };
 
 /// One source as it was shot from.
 struct ShotSource {
-  shotline::PointSource source;
-  std::uint64_t shots = 0;  ///< per trial
-  double solidAngle = 0.0;  ///< steradians; 0 for the thesis' sampler, which has none
+  shotline::Source source;
+  std::uint64_t shots = 0;    ///< per trial
+  shotline::Measure measure;  ///< what all shots of a trial together make
 };
 
 /// Counts of one source at one pose, trial by trial.

@@ -17,7 +17,7 @@
 #include "lorica/geometry/vectors.h"
 #include "lorica/human/joint_roles.h"
 #include "lorica/human/person.h"
-#include "lorica/shotline/point_source.h"
+#include "lorica/shotline/source.h"
 #include "lorica/viscera/organ_rig.h"
 
 namespace lorica::study {
@@ -49,6 +49,7 @@ using LatticeSettings = viscera::LatticeOptions;
 using armor::Carriage;
 using human::Skinning;
 using shotline::Sampler;
+using shotline::Sequence;
 using viscera::OrganModel;
 
 struct Organ {
@@ -108,14 +109,40 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// A point that shots come from.
+enum class SourceType {
+  point,     ///< one place, near or far
+  parallel,  ///< one direction, from far away
+  band,      ///< directions between two azimuths and two elevations, from far away
+  sphere,    ///< every direction
+  list       ///< shots of a CSV file
+};
+
+/// From one angle up to another, degrees.
+struct DegreeRange {
+  double from = 0.0;
+  double to = 0.0;
+  bool operator==(const DegreeRange&) const = default;
+};
+
+/// Where shots come from. Azimuth and elevation as lorica/shotline/source.h has them. The file keeps only what the type
+/// and the sampler use.
 struct Source {
   std::string name;
-  geometry::Vec3d position = geometry::Vec3d::Zero();  ///< metres
-  std::optional<geometry::Vec3d> target;               ///< default: the centre of the posed skin's box
-  Sampler sampler = Sampler::cone;
-  std::uint64_t shots = 100000;  ///< per trial
-  std::string description{};     ///< free text
+  geometry::Vec3d position = geometry::Vec3d::Zero();  ///< of a point, metres
+  std::optional<geometry::Vec3d> target;  ///< middle of the shots; default: the centre of the posed skin's box
+  Sampler sampler = Sampler::cone;        ///< of a point
+  std::uint64_t shots = 100000;           ///< per trial; a grid and a list have their own number
+  std::string description{};              ///< free text
+  SourceType type = SourceType::point;
+  std::string targetStructure{};         ///< instead of `target`: the centre of an organ's or a piece's box
+  double width = 0.0;                    ///< of sampler rectangle, metres
+  double height = 0.0;                   ///< of sampler rectangle, metres
+  double radius = 0.0;                   ///< of sampler disk, metres
+  DegreeRange azimuth{};                 ///< of parallel (`from` alone) and band
+  DegreeRange elevation{};               ///< likewise, -90 to 90
+  Sequence sequence = Sequence::random;  ///< grid for parallel alone; random for thesis and list
+  double cell = 0.0;                     ///< largest size of a cell of the grid, metres
+  InputFile list{};                      ///< of type list
   bool operator==(const Source&) const = default;
 };
 
