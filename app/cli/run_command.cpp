@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "console.h"
 #include "lorica/analysis/results.h"
+#include "lorica/analysis/shot_report.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
 #include "lorica/base/readable.h"
@@ -71,19 +72,34 @@ int runStudy(const RunArguments& arguments) {
   for (const std::string& pose : arguments.poses) {
     analysis::resolvePose(study, pose);
   }
-  base::requireWritableFolder(arguments.out);
   analysis::RunOptions options;
   options.poses = arguments.poses;
   options.seed = arguments.seed;
   options.trials = arguments.trials;
   options.shots = arguments.shots;
   options.threads = {arguments.threads};
+  if (!arguments.shotReport.empty()) {
+    const analysis::ShotName shot = analysis::shotNamed(arguments.shotReport);
+    fmt::print("{}", analysis::shotReport(study, analysis::planRun(study, options), shot, options.threads));
+    return done;
+  }
+  base::requireWritableFolder(arguments.out);
   analysis::RunResult result;
   {
     Stage stage("shooting", arguments.quiet);
     result = analysis::run(study, options, stage.progress());
   }
   analysis::writeResults(study, result, arguments.out);
+  const study::Analyses& wanted = study.study.analyses;
+  if ((wanted.directions || wanted.motion) && !result.partial) {
+    Stage stage("directions and motion", arguments.quiet);
+    analysis::writeAnalyses(study, result, options, arguments.out, stage.progress());
+  }
+  if (!arguments.hits.empty() && !result.partial) {
+    Stage stage("writing every shot", arguments.quiet);
+    analysis::writeHits(study, result, arguments.hits == "csv" ? analysis::HitFormat::csv : analysis::HitFormat::vtp,
+                        arguments.out, options.threads, stage.progress());
+  }
   printIssues(result.issues, false);
   if (!arguments.quiet) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

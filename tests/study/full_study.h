@@ -62,6 +62,10 @@ inline const char* const fullStudy = R"({
   "models": ["static_skin", "dynamic_thesis"],
   "trials": 7,
   "seed": 18446744073709551615,
+  "stop": {"structures": ["heart"], "half_width": 0.02, "max_trials": 50},
+  "overlap": {"policy": "priority", "order": ["heart", "front"]},
+  "analyses": {"compare": true, "convergence": true, "directions": {"step_deg": 45, "shots": 500},
+               "motion": {"clip": "walk", "every": 5, "frames_per_second": 24}},
   "site_spacing_mm": 25,
   "skinning": "linear",
   "display": [

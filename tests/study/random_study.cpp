@@ -248,6 +248,36 @@ Source anySource(std::size_t index) {
   return source;
 }
 
+std::optional<StopRule> anyStop() {
+  if (coin()) {
+    return std::nullopt;
+  }
+  return StopRule{{"heart"}, *rc::gen::inRange(1, 501) / 1000.0, *rc::gen::inRange(1U, 100001U)};
+}
+
+Overlap anyOverlap() {
+  Overlap overlap;
+  overlap.policy =
+      oneOf({shotline::OverlapPolicy::allClaim, shotline::OverlapPolicy::outermost, shotline::OverlapPolicy::priority});
+  if (overlap.policy == shotline::OverlapPolicy::priority) {
+    overlap.order = names();
+  }
+  return overlap;
+}
+
+Analyses anyAnalyses() {
+  Analyses analyses;
+  analyses.compare = coin();
+  analyses.convergence = coin();
+  if (coin()) {
+    analyses.directions = DirectionGrid{oneOf({5.0, 30.0, 90.0}), *rc::gen::inRange<std::uint64_t>(1, 1000000)};
+  }
+  if (coin()) {
+    analyses.motion = MotionSettings{uniqueName("clip", 0), *rc::gen::inRange(1U, 100U), oneOf({12.5, 30.0, 120.0})};
+  }
+  return analyses;
+}
+
 Display anyDisplay(std::size_t index) {
   Display display;
   display.structure = uniqueName("structure", index);
@@ -287,6 +317,9 @@ Study makeStudy() {
     study.runPoses.emplace_back(oneOf<std::string>({"rest", "walk@0.125"}));
   }
   study.sources = several<Source>(anySource);
+  study.stop = anyStop();
+  study.overlap = anyOverlap();
+  study.analyses = anyAnalyses();
   study.models.clear();
   for (const OrganModel model :
        {OrganModel::staticJoint, OrganModel::staticSkin, OrganModel::dynamicThesis, OrganModel::dynamic}) {

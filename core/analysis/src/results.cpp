@@ -6,6 +6,8 @@
 #include <cmath>
 #include <span>
 
+#include "lorica/analysis/comparisons.h"
+#include "lorica/analysis/directions.h"
 #include "lorica/analysis/posed_scene.h"
 #include "lorica/base/files.h"
 #include "lorica/io/export.h"
@@ -274,9 +276,35 @@ std::string provenanceJson(const LoadedStudy& study, const RunResult& result) {
 }
 
 void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder) {
-  base::writeFilesAtomically({{folder / "summary.csv", summaryCsv(summaryRows(study, result))},
-                              {folder / "trials.csv", trialsCsv(trialRows(study, result))},
-                              {folder / "provenance.json", provenanceJson(study, result)}});
+  std::vector<base::FileBytes> files{{folder / "summary.csv", summaryCsv(summaryRows(study, result))},
+                                     {folder / "trials.csv", trialsCsv(trialRows(study, result))},
+                                     {folder / "provenance.json", provenanceJson(study, result)}};
+  if (study.study.analyses.compare) {
+    files.push_back({folder / "comparisons.csv", comparisonsCsv(comparisons(study, result))});
+    files.push_back({folder / "pieces.csv", piecesCsv(study, result)});
+    files.push_back({folder / "systems.csv", systemsCsv(study, result)});
+  }
+  if (study.study.analyses.convergence) {
+    files.push_back({folder / "convergence.csv", convergenceCsv(study, result)});
+  }
+  base::writeFilesAtomically(files);
+}
+
+std::vector<std::string> writeAnalyses(const LoadedStudy& study, const RunResult& result, const RunOptions& options,
+                                       const std::filesystem::path& folder, const base::Progress& progress) {
+  std::vector<std::string> names;
+  if (study.study.analyses.directions) {
+    const auto directions = byDirection(study, result, options.threads, progress.part(0.0, 0.5));
+    base::writeFileAtomically(folder / "directions.csv", directionsCsv(study, result, directions));
+    names.emplace_back("directions.csv");
+  }
+  if (study.study.analyses.motion) {
+    const MotionResult motion = overMotion(study, options, progress.part(0.5, 1.0));
+    base::writeFilesAtomically({{folder / "motion.csv", motionCsv(study, motion)},
+                                {folder / "motion_summary.csv", motionSummaryCsv(study, motion)}});
+    names.insert(names.end(), {"motion.csv", "motion_summary.csv"});
+  }
+  return names;
 }
 
 }  // namespace lorica::analysis

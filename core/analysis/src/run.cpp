@@ -6,6 +6,7 @@
 #include <map>
 
 #include "lorica/analysis/posed_scene.h"
+#include "lorica/analysis/results.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/study/reserved_names.h"
@@ -94,9 +95,44 @@ Plan planPoses(const LoadedStudy& study, const RunOptions& options, RunResult& r
   return plan;
 }
 
+/// Fails when the rule for stopping names something that is no organ.
+void checkStopRule(const LoadedStudy& study) {
+  const std::optional<study::StopRule>& stop = study.study.stop;
+  for (std::size_t i = 0; stop && i < stop->structures.size(); ++i) {
+    const bool known = std::any_of(study.organs.begin(), study.organs.end(),
+                                   [&](const auto& organ) { return organ->name == stop->structures[i]; });
+    if (!known) {
+      throw base::InputError(study.file.string(), fmt::format("/stop/structures/{}", i),
+                             fmt::format("the study has no organ named \"{}\"", stop->structures[i]));
+    }
+  }
+}
+
+/// Whether the intervals the rule is about are narrow enough with these trials.
+bool narrowEnough(const LoadedStudy& study, const RunResult& result, const SourcePoseResult& here) {
+  const study::StopRule& stop = *study.study.stop;
+  RunResult soFar;
+  soFar.sources = {result.sources[here.source]};
+  soFar.poses = {result.poses[here.pose]};
+  soFar.models = result.models;
+  soFar.systems = result.systems;
+  soFar.results = {here};
+  soFar.results[0].source = 0;
+  soFar.results[0].pose = 0;
+  const bool unarmoredOnly = result.systems.size() == 1;
+  const std::vector<ResultRow> rows = summaryRows(study, soFar);
+  return std::all_of(rows.begin(), rows.end(), [&](const ResultRow& row) {
+    const bool chosen =
+        row.kind == "organ" && (unarmoredOnly || row.system != study::unarmored) &&
+        std::find(stop.structures.begin(), stop.structures.end(), row.structure) != stop.structures.end();
+    const auto interval = unarmoredOnly ? row.shareInterval() : row.coverageInterval();
+    return !chosen || (interval && 0.5 * (interval->high - interval->low) <= stop.halfWidth);
+  });
+}
+
 }  // namespace
 
-RunResult run(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress) {
+RunResult planRun(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress) {
   RunResult result;
   result.issues = study.issues;
   result.models = study.study.models;
@@ -106,37 +142,49 @@ RunResult run(const LoadedStudy& study, const RunOptions& options, const base::P
   }
   result.seed = options.seed.value_or(study.study.seed);
   result.trials = options.trials.value_or(study.study.trials);
+  checkStopRule(study);
   const Plan plan = planPoses(study, options, result, progress);
   if (progress.cancelled()) {
     result.partial = true;
     return result;
   }
   result.sources = prepareSources(study, options, plan, result.issues);
-
   for (std::size_t s = 0; s < result.sources.size(); ++s) {
     for (std::size_t p = 0; p < plan.poses.size(); ++p) {
-      result.results.push_back({s, p, {}, {}});
+      result.results.push_back({s, p, {}, {}, {}});
     }
   }
-  const double steps = static_cast<double>(plan.poses.size() * result.sources.size() * result.trials);
-  double step = 0.0;
+  return result;
+}
+
+RunResult run(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress) {
+  RunResult result = planRun(study, options, progress);
+  const bool open = study.study.stop.has_value();
+  const std::uint32_t most = open ? std::max(result.trials, study.study.stop->maxTrials) : result.trials;
+  const double steps = static_cast<double>(result.poses.size() * result.sources.size()) * most;
   // Pose by pose, so that only one scene is in memory.
-  for (std::size_t p = 0; p < plan.poses.size() && !result.partial; ++p) {
-    const PosedScene scene(study, result.models, plan.poses[p].pose, raycast::SceneUse::manyRays, options.threads);
+  for (std::size_t p = 0; p < result.poses.size() && !result.partial; ++p) {
+    const PosedScene scene(study, result.models, resolvePose(study, result.poses[p]).pose, raycast::SceneUse::manyRays,
+                           options.threads);
     for (std::size_t s = 0; s < result.sources.size() && !result.partial; ++s) {
-      SourcePoseResult& here = result.results[s * plan.poses.size() + p];
-      for (std::uint32_t trial = 0; trial < result.trials && !result.partial; ++trial) {
+      SourcePoseResult& here = result.results[s * result.poses.size() + p];
+      const double before = static_cast<double>(p * result.sources.size() + s) * most;
+      for (std::uint32_t trial = 0; trial < most && !result.partial; ++trial) {
+        if (trial >= result.trials && narrowEnough(study, result, here)) {
+          break;
+        }
         const shotline::ShotGenerator shots(result.sources[s].source, result.seed, trial);
         try {
-          const shotline::TraceResult traced =
-              shotline::trace(scene.scene(), scene.layout(), shots, result.sources[s].shots, options.threads,
-                              progress.part(step / steps, (step + 1.0) / steps));
-          here.trials.push_back(traced.tally);
-          here.counts.add(traced.counts);
+          shotline::CountAndCompare counted(scene.layout(), study.study.analyses.compare);
+          const raycast::CastCounts counts =
+              shotline::observeShots(scene.scene(), shots, {0, result.sources[s].shots}, options.threads,
+                                     progress.part((before + trial) / steps, (before + trial + 1.0) / steps), counted);
+          here.trials.push_back(counted.tally());
+          here.pairs.add(counted.pairs());
+          here.counts.add(counts);
         } catch (const base::Cancelled&) {
           result.partial = true;
         }
-        step += 1.0;
       }
     }
   }

@@ -10,20 +10,6 @@
 
 namespace lorica::study {
 
-std::string readDescription(const Node& node) {
-  const Node text = node["description"];
-  return text.present() ? text.text("a text") : "";
-}
-
-std::string sha256Text(const Node& node) {
-  const char* what = "64 lower-case hexadecimal digits";
-  std::string digits = node.text(what);
-  if (digits.size() != 64 || digits.find_first_not_of("0123456789abcdef") != std::string::npos) {
-    node.failExpected(what);
-  }
-  return digits;
-}
-
 namespace {
 
 /// Fails at keys that say nothing here. \param owner whom they belong to, as in "belongs to OWNER"

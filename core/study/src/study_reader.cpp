@@ -18,20 +18,6 @@ namespace lorica::study {
 
 namespace {
 
-/// Names that must differ, each with the pointer of the one that has it.
-class Names {
- public:
-  void claim(const Node& node, const std::string& name) {
-    const auto [place, fresh] = taken_.emplace(name, node.pointer());
-    if (!fresh) {
-      node.fail(fmt::format("the name {} is taken by {}; choose another", inQuotes(name), place->second));
-    }
-  }
-
- private:
-  std::map<std::string, std::string> taken_;
-};
-
 void refuseReserved(const Node& node, const std::string& name, std::span<const std::string_view> reserved,
                     const char* meaning) {
   if (std::find(reserved.begin(), reserved.end(), name) != reserved.end()) {
@@ -44,16 +30,6 @@ std::string structureName(const Node& node, Names& structures) {
   refuseReserved(node, name, reservedStructures, "a row of the results");
   structures.claim(node, name);
   return name;
-}
-
-std::vector<std::string> nameList(const Node& node, const std::string& what) {
-  std::vector<std::string> names;
-  Names taken;
-  for (const Node& entry : node.list("a list of " + what)) {
-    names.push_back(entry.name(what));
-    taken.claim(entry, names.back());
-  }
-  return names;
 }
 
 /// The keys of a mesh inside the object that has it.
@@ -409,6 +385,15 @@ Study parseStudy(std::string_view json, const std::string& file) {
   }
   if (const Node seed = root["seed"]; seed.present()) {
     study.seed = seed.whole(0, std::numeric_limits<std::uint64_t>::max());
+  }
+  if (const Node stop = root["stop"]; stop.present()) {
+    study.stop = readStop(stop);
+  }
+  if (const Node overlap = root["overlap"]; overlap.present()) {
+    study.overlap = readOverlap(overlap);
+  }
+  if (const Node analyses = root["analyses"]; analyses.present()) {
+    study.analyses = readAnalyses(analyses);
   }
   if (const Node spacing = root["site_spacing_mm"]; spacing.present()) {
     study.siteSpacing = spacing.number({5.0, 500.0, true, "a spacing in mm from 5 to 500"}) / 1000.0;

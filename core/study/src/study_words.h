@@ -15,7 +15,13 @@ namespace lorica::study {
 
 inline constexpr auto studyKeys = std::to_array<std::string_view>(
     {"lorica_study", "name", "description", "human", "organs", "armor", "poses", "run_poses", "sources", "models",
-     "trials", "seed", "site_spacing_mm", "skinning", "display"});
+     "trials", "seed", "stop", "overlap", "analyses", "site_spacing_mm", "skinning", "display"});
+inline constexpr auto stopKeys = std::to_array<std::string_view>({"structures", "half_width", "max_trials"});
+inline constexpr auto analysesKeys =
+    std::to_array<std::string_view>({"compare", "convergence", "directions", "motion"});
+inline constexpr auto directionsKeys = std::to_array<std::string_view>({"step_deg", "shots"});
+inline constexpr auto motionKeys = std::to_array<std::string_view>({"clip", "every", "frames_per_second"});
+inline constexpr auto overlapKeys = std::to_array<std::string_view>({"policy", "order"});
 inline constexpr auto humanKeys = std::to_array<std::string_view>(
     {"file", "sha256", "units", "up", "builtin", "parts", "sex", "stature_m", "mass_kg", "joint_roles"});
 inline constexpr auto organKeys = std::to_array<std::string_view>(
@@ -33,6 +39,8 @@ inline constexpr auto sourceKeys = std::to_array<std::string_view>(
      "radius_m", "azimuth_deg", "elevation_deg", "sequence", "cell_mm", "file", "sha256", "shots"});
 inline constexpr auto displayKeys = std::to_array<std::string_view>({"structure", "visible", "colour", "opacity"});
 
+using shotline::OverlapPolicy;
+
 template <class Value>
 using Word = std::pair<std::string_view, Value>;
 
@@ -49,6 +57,9 @@ inline constexpr auto samplerWords = std::to_array<Word<Sampler>>(
     {{"cone", Sampler::cone}, {"rectangle", Sampler::rectangle}, {"disk", Sampler::disk}, {"thesis", Sampler::thesis}});
 inline constexpr auto sequenceWords =
     std::to_array<Word<Sequence>>({{"random", Sequence::random}, {"sobol", Sequence::sobol}, {"grid", Sequence::grid}});
+inline constexpr auto overlapWords = std::to_array<Word<OverlapPolicy>>({{"all_claim", OverlapPolicy::allClaim},
+                                                                         {"outermost", OverlapPolicy::outermost},
+                                                                         {"priority", OverlapPolicy::priority}});
 inline constexpr auto modelWords = std::to_array<Word<OrganModel>>({{"static_joint", OrganModel::staticJoint},
                                                                     {"static_skin", OrganModel::staticSkin},
                                                                     {"dynamic_thesis", OrganModel::dynamicThesis},

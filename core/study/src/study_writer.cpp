@@ -250,6 +250,38 @@ Json sourceJson(const Source& source) {
   return object;
 }
 
+Json stopJson(const StopRule& stop) {
+  return {{"structures", stop.structures}, {"half_width", stop.halfWidth}, {"max_trials", stop.maxTrials}};
+}
+
+Json overlapJson(const Overlap& overlap) {
+  Json object;
+  object["policy"] = wordFor(overlap.policy, overlapWords);
+  if (overlap.policy == OverlapPolicy::priority) {
+    object["order"] = overlap.order;
+  }
+  return object;
+}
+
+Json analysesJson(const Analyses& analyses) {
+  Json object;
+  if (analyses.compare) {
+    object["compare"] = true;
+  }
+  if (analyses.convergence) {
+    object["convergence"] = true;
+  }
+  if (analyses.directions) {
+    object["directions"] = {{"step_deg", analyses.directions->step}, {"shots", analyses.directions->shots}};
+  }
+  if (analyses.motion) {
+    object["motion"] = {{"clip", analyses.motion->clip},
+                        {"every", analyses.motion->every},
+                        {"frames_per_second", analyses.motion->framesPerSecond}};
+  }
+  return object;
+}
+
 Json displayJson(const Display& display) {
   Json object;
   object["structure"] = display.structure;
@@ -292,6 +324,15 @@ Json studyJson(const Study& study) {
   }
   root["trials"] = study.trials;
   root["seed"] = study.seed;
+  if (study.stop) {
+    root["stop"] = stopJson(*study.stop);
+  }
+  if (study.overlap != defaults.overlap) {
+    root["overlap"] = overlapJson(study.overlap);
+  }
+  if (study.analyses != defaults.analyses) {
+    root["analyses"] = analysesJson(study.analyses);
+  }
   if (study.siteSpacing != defaults.siteSpacing) {
     root["site_spacing_mm"] = millimetres(study.siteSpacing);
   }

@@ -55,7 +55,14 @@ std::string trialsCsv(const std::vector<ResultRow>& rows);
 /// whether the run is partial. Holds no time and no thread count: the same run gives the same bytes.
 std::string provenanceJson(const LoadedStudy& study, const RunResult& result);
 
-/// Writes the three files into a folder, all of them or none. \throw base::InputError
+/// Writes the three files, and those of comparisons and convergence where the study asks for them, into a folder, all
+/// of them or none. \throw base::InputError
 void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder);
+
+/// Shoots and writes what the study asks for beside the run: directions.csv, motion.csv, motion_summary.csv.
+/// \return names of the files written
+/// \throw base::InputError, base::Cancelled; then none of the analysis at hand stays
+std::vector<std::string> writeAnalyses(const LoadedStudy& study, const RunResult& result, const RunOptions& options,
+                                       const std::filesystem::path& folder, const base::Progress& progress = {});
 
 }  // namespace lorica::analysis

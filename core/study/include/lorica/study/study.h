@@ -17,6 +17,7 @@
 #include "lorica/geometry/vectors.h"
 #include "lorica/human/joint_roles.h"
 #include "lorica/human/person.h"
+#include "lorica/shotline/partition.h"
 #include "lorica/shotline/source.h"
 #include "lorica/viscera/organ_rig.h"
 
@@ -146,6 +147,45 @@ struct Source {
   bool operator==(const Source&) const = default;
 };
 
+/// Who owns what several structures claim, in what is told of single shots.
+struct Overlap {
+  shotline::OverlapPolicy policy = shotline::OverlapPolicy::allClaim;
+  std::vector<std::string> order{};  ///< of `priority`: organs and pieces, the strongest first
+  bool operator==(const Overlap&) const = default;
+};
+
+/// Trials go on, beyond those of the study, until the intervals are narrow enough.
+struct StopRule {
+  std::vector<std::string> structures{};  ///< organs
+  double halfWidth = 0.01;  ///< of the coverage under every armor system; without armor, of the share of shots
+  std::uint32_t maxTrials = 1000;
+  bool operator==(const StopRule&) const = default;
+};
+
+/// Coverage by direction: parallel beams from the middles of equal steps of azimuth and elevation.
+struct DirectionGrid {
+  double step = 30.0;           ///< degrees, divides 180
+  std::uint64_t shots = 10000;  ///< of each beam
+  bool operator==(const DirectionGrid&) const = default;
+};
+
+/// Coverage over a motion clip: every so many of its frames, the first and the last among them.
+struct MotionSettings {
+  std::string clip{};
+  std::uint32_t every = 1;
+  double framesPerSecond = 30.0;
+  bool operator==(const MotionSettings&) const = default;
+};
+
+/// What a run works out beside the tables of coverage.
+struct Analyses {
+  bool compare = false;      ///< systems and models on the same shots, pieces left out, mass and area
+  bool convergence = false;  ///< coverage after each trial
+  std::optional<DirectionGrid> directions{};
+  std::optional<MotionSettings> motion{};
+  bool operator==(const Analyses&) const = default;
+};
+
 /// How a structure is drawn where that is not the program's default; changes no number.
 struct Display {
   std::string structure;  ///< "body", an organ or an armor piece
@@ -173,6 +213,9 @@ struct Study {
   std::uint64_t seed = 1;
   double siteSpacing = 0.04;  ///< metres between interior sites
   Skinning skinning = Skinning::rotationCentres;
+  std::optional<StopRule> stop;  ///< none: `trials` and no more
+  Overlap overlap;
+  Analyses analyses;
   std::vector<Display> displays;  ///< each structure at most once
   bool operator==(const Study&) const = default;
 };
