@@ -23,6 +23,8 @@ struct RunArguments {
   std::optional<std::uint64_t> shots;
   std::vector<std::string> poses;
   std::vector<std::string> models;
+  std::string shotReport;  ///< SOURCE:TRIAL:SHOT; empty: a run
+  std::string hits;        ///< csv, vtp or empty
   bool quiet = false;
 };
 int runStudy(const RunArguments& arguments);

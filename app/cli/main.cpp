@@ -22,7 +22,7 @@ void addRun(CLI::App& app, int& code) {
   auto* command = app.add_subcommand("run", "run a study: coverage per structure, pose, model and armor system");
   auto arguments = std::make_shared<RunArguments>();
   command->add_option("STUDY", arguments->study, "the study (*.lorica.json)")->required();
-  command->add_option("--out", arguments->out, "folder for the tables and provenance.json")->required();
+  auto* out = command->add_option("--out", arguments->out, "folder for the tables and provenance.json");
   command->add_option("--threads", arguments->threads, "threads to use (default: all)")->check(CLI::Range(1, 1024));
   command->add_option("--seed", arguments->seed, "seed of the shots (default: the study's)")
       ->check([](const std::string& text) {
@@ -38,8 +38,17 @@ void addRun(CLI::App& app, int& code) {
       ->take_all()
       ->allow_extra_args(false)
       ->check(CLI::IsMember(modelNames));
+  command->add_option("--hits", arguments->hits, "also write what every shot goes through: csv or vtp")
+      ->check(CLI::IsMember({"csv", "vtp"}));
+  command->add_option("--shot-report", arguments->shotReport,
+                      "print all of one shot, SOURCE:TRIAL:SHOT (trials from 1, shots from 0), and run nothing");
   command->add_flag("--quiet", arguments->quiet, "no progress and no table");
-  command->callback([arguments, &code] { code = runStudy(*arguments); });
+  command->callback([arguments, out, &code] {
+    if (out->empty() && arguments->shotReport.empty()) {
+      throw CLI::RequiredError("--out");
+    }
+    code = runStudy(*arguments);
+  });
 }
 
 void addCheck(CLI::App& app, int& code) {

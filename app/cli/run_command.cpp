@@ -8,6 +8,7 @@
 #include "console.h"
 #include "deformation_table.h"
 #include "lorica/analysis/results.h"
+#include "lorica/analysis/shot_report.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
 #include "lorica/base/readable.h"
@@ -33,17 +34,28 @@ analysis::LoadedStudy loadForRun(const RunArguments& arguments) {
   return analysis::load(std::move(study), arguments.study, {arguments.threads}, stage.progress());
 }
 
+/// What the shots of a source fill.
+std::string sizeOf(const analysis::ShotSource& source) {
+  const std::string shots = base::readableCount(source.shots) + " shots a trial";
+  switch (source.measure.basis) {
+    case shotline::Basis::solidAngle:
+      return fmt::format("{} over {:.6f} sr", shots, source.measure.total);
+    case shotline::Basis::area:
+      return fmt::format("{} over {:.4f} m2 across them", shots, source.measure.total);
+    case shotline::Basis::shots:
+      break;
+  }
+  const auto* point = std::get_if<shotline::PointSource>(&source.source.shape);
+  return shots + (point != nullptr ? ", Eq 15, without a solid angle" : ", as listed");
+}
+
 void sayWhatWasShot(const analysis::RunResult& result) {
   raycast::CastCounts counts;
   for (const analysis::SourcePoseResult& here : result.results) {
     counts.add(here.counts);
   }
   for (const analysis::ShotSource& source : result.sources) {
-    if (source.solidAngle > 0.0) {
-      fmt::print("source {}: cone of {:.6f} sr around the posed skin\n", source.source.name, source.solidAngle);
-    } else {
-      fmt::print("source {}: Eq 15, without a solid angle\n", source.source.name);
-    }
+    fmt::print("source {}: {}\n", source.source.name, sizeOf(source));
   }
   fmt::print("{} rays; {} traced again, {} unresolved, {} near an open edge\n", base::readableCount(counts.rays),
              base::readableCount(counts.retraced), base::readableCount(counts.unresolved),
@@ -61,19 +73,34 @@ int runStudy(const RunArguments& arguments) {
   for (const std::string& pose : arguments.poses) {
     analysis::resolvePose(study, pose);
   }
-  base::requireWritableFolder(arguments.out);
   analysis::RunOptions options;
   options.poses = arguments.poses;
   options.seed = arguments.seed;
   options.trials = arguments.trials;
   options.shots = arguments.shots;
   options.threads = {arguments.threads};
+  if (!arguments.shotReport.empty()) {
+    const analysis::ShotName shot = analysis::shotNamed(arguments.shotReport);
+    fmt::print("{}", analysis::shotReport(study, analysis::planRun(study, options), shot, options.threads));
+    return done;
+  }
+  base::requireWritableFolder(arguments.out);
   analysis::RunResult result;
   {
     Stage stage("shooting", arguments.quiet);
     result = analysis::run(study, options, stage.progress());
   }
   analysis::writeResults(study, result, arguments.out);
+  const study::Analyses& wanted = study.study.analyses;
+  if ((wanted.directions || wanted.motion) && !result.partial) {
+    Stage stage("directions and motion", arguments.quiet);
+    analysis::writeAnalyses(study, result, options, arguments.out, stage.progress());
+  }
+  if (!arguments.hits.empty() && !result.partial) {
+    Stage stage("writing every shot", arguments.quiet);
+    analysis::writeHits(study, result, arguments.hits == "csv" ? analysis::HitFormat::csv : analysis::HitFormat::vtp,
+                        arguments.out, options.threads, stage.progress());
+  }
   printIssues(result.issues, false);
   if (!arguments.quiet) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -43,7 +43,7 @@ TEST(StructureOfMesh, GoesThroughTheLayoutInItsOrder) {
 TEST(ShotPaths, CountedOneByOneGiveTheTallyOfTheirRun) {
   constexpr std::size_t count = 5000;
   const ShotSource source = shotSourceFor(sample(), 0, scene());
-  const std::vector<ShotPath> paths = shotPaths(scene(), source.source, 7, count);
+  const std::vector<ShotPath> paths = shotPaths(scene(), source, 7, count);
   const shotline::ShotGenerator shots(source.source, 7, 0);
   const shotline::Tally tally = shotline::trace(scene().scene(), scene().layout(), shots, count, {}).tally;
   ASSERT_EQ(paths.size(), count);
@@ -66,7 +66,7 @@ TEST(ShotPaths, CountedOneByOneGiveTheTallyOfTheirRun) {
 }
 
 TEST(ShotPaths, RiseInDistanceAlongAUnitDirection) {
-  for (const ShotPath& path : shotPaths(scene(), shotSourceFor(sample(), 0, scene()).source, 7, 500)) {
+  for (const ShotPath& path : shotPaths(scene(), shotSourceFor(sample(), 0, scene()), 7, 500)) {
     EXPECT_NEAR(path.direction.norm(), 1.0F, 1e-6F);
     EXPECT_TRUE(std::is_sorted(path.crossings.begin(), path.crossings.end(),
                                [](const ShotCrossing& a, const ShotCrossing& b) { return a.distance < b.distance; }));

@@ -19,14 +19,13 @@ const analysis::LoadedStudy& sample() {
   return study;
 }
 
-shotline::PointSource frontOf(const analysis::PosedScene& posed) {
+shotline::Source frontOf(const analysis::PosedScene& posed) {
   shotline::PointSource source;
-  source.name = "front";
   source.target = geometry::bounds(posed.body().skin).center();
   source.position = source.target + geometry::Vec3d(0, 0, 5);
   const std::span<const geometry::Vec3f> skin(posed.body().skin);
   source.halfAngle = shotline::boundingHalfAngle(source.position, source.target, std::span(&skin, 1));
-  return source;
+  return {"front", source};
 }
 
 void countRays(benchmark::State& state) {

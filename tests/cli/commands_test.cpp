@@ -40,7 +40,8 @@ TEST_F(Commands, RunLeavesThreeFilesWithThePromisedColumns) {
   EXPECT_NE(outcome.out.find("heart"), std::string::npos);
   const std::string columns =
       "structure,kind,class,shots,any_hit,first_hit,unprotected_hit,protected_hit,pct_of_shots,pct_of_body_hits,"
-      "coverage,coverage_lo,coverage_hi\n";
+      "coverage,coverage_lo,coverage_hi,pct_of_shots_lo,pct_of_shots_hi,interval,basis,unit,basis_total,"
+      "coverage_trials_mean,coverage_trials_sd,coverage_trials_se\n";
   EXPECT_TRUE(read("out/summary.csv").starts_with("source,system,model,pose," + columns));
   EXPECT_TRUE(read("out/trials.csv").starts_with("source,system,model,pose,trial," + columns));
   EXPECT_TRUE(read("out/deformation.csv")

@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "lorica/base/error.h"
 #include "lorica/stats/philox.h"
@@ -95,6 +96,89 @@ RC_GTEST_PROP(Wilson, WidensWithConfidence, ()) {
   const Interval narrow = wilson(hits, trials, 0.8);
   const Interval wide = wilson(hits, trials, 0.99);
   RC_ASSERT(wide.low <= narrow.low && narrow.high <= wide.high);
+}
+
+TEST(StudentQuantile, GivesTheTabulatedPoints) {
+  EXPECT_NEAR(studentQuantile(0.975, 1), 12.7062047364, 1e-9);
+  EXPECT_NEAR(studentQuantile(0.975, 4), 2.7764451052, 1e-9);
+  EXPECT_NEAR(studentQuantile(0.95, 29), 1.6991270265, 1e-9);
+}
+
+TEST(RatioInterval, IsTheStudentIntervalOfTheMeanWhenBasesAreEqual) {
+  // Shares 0.10, 0.14, 0.12, 0.16: mean 0.13, standard deviation 0.0258198889747.
+  const std::vector<TrialCount> trials{{10, 100}, {14, 100}, {12, 100}, {16, 100}};
+  const auto interval = ratioInterval(trials);
+  ASSERT_TRUE(interval.has_value());
+  const double reach = studentQuantile(0.975, 3) * 0.0258198889747 / 2;
+  EXPECT_NEAR(interval->low, 0.13 - reach, 1e-12);
+  EXPECT_NEAR(interval->high, 0.13 + reach, 1e-12);
+}
+
+TEST(RatioInterval, IsSilentWithoutSpreadToMeasureBy) {
+  EXPECT_FALSE(ratioInterval({}).has_value());
+  EXPECT_FALSE(ratioInterval(std::vector<TrialCount>{{5, 10}}).has_value()) << "one trial";
+  EXPECT_FALSE(ratioInterval(std::vector<TrialCount>{{0, 0}, {0, 0}}).has_value()) << "nothing was hit";
+  EXPECT_FALSE(ratioInterval(std::vector<TrialCount>{{7, 7}, {9, 9}}).has_value()) << "all was hit, in every trial";
+  EXPECT_FALSE(ratioInterval(std::vector<TrialCount>{{1, 3}, {2, 6}}).has_value()) << "every trial says the same";
+  EXPECT_TRUE(ratioInterval(std::vector<TrialCount>{{1, 3}, {3, 6}}).has_value());
+}
+
+/// How often 2,000 intervals hold the truth. \param interval of a repeat's number
+template <class Make>
+double shareThatHolds(double truth, const Make& interval) {
+  constexpr std::uint32_t repeats = 2000;
+  int holds = 0;
+  for (std::uint32_t repeat = 0; repeat < repeats; ++repeat) {
+    const std::optional<Interval> made = interval(repeat);
+    holds += made && made->low <= truth && truth <= made->high ? 1 : 0;
+  }
+  return holds / static_cast<double>(repeats);
+}
+
+// Of 2,000 repeats at 95 % the standard deviation of the share that holds is 0.5 %; the bounds are four of those, and
+// for Wilson one more for its steps at small counts.
+
+TEST(Wilson, HoldsTheTruthAsOftenAsItSays) {
+  for (const double truth : {0.03, 0.3, 0.9}) {
+    const double share = shareThatHolds(truth, [&](std::uint32_t repeat) {
+      std::uint64_t hits = 0;
+      for (std::uint64_t shot = 0; shot < 500; ++shot) {
+        hits += uniform2({1, 5, repeat}, shot)[0] < truth ? 1 : 0;
+      }
+      return std::optional(wilson(hits, 500));
+    });
+    EXPECT_NEAR(share, 0.95, 0.025) << truth;
+  }
+}
+
+TEST(RatioInterval, HoldsTheTruthAsOftenAsItSays) {
+  // Shots of a trial that stand in clusters of 20 which share their luck: Wilson would be far too sure of itself.
+  const double truth = 0.3;
+  const auto trialsOf = [&](std::uint32_t repeat, std::uint64_t trials) {
+    std::vector<TrialCount> counts(trials);
+    for (std::uint64_t t = 0; t < trials; ++t) {
+      for (std::uint64_t cluster = 0; cluster < 40; ++cluster) {
+        const auto [luck, size] = uniform2({5, 6, repeat}, t * 40 + cluster);
+        const std::uint64_t shots = 15 + static_cast<std::uint64_t>(11 * size);
+        counts[t].base += shots;
+        counts[t].hits += luck < truth ? shots : 0;
+      }
+    }
+    return counts;
+  };
+  for (const std::uint64_t trials : {5, 20}) {
+    const double held = shareThatHolds(truth, [&](std::uint32_t r) { return ratioInterval(trialsOf(r, trials)); });
+    EXPECT_NEAR(held, 0.95, 0.02) << trials << " trials";
+  }
+  const double wilsonHeld = shareThatHolds(truth, [&](std::uint32_t r) {
+    TrialCount sum;
+    for (const TrialCount& trial : trialsOf(r, 20)) {
+      sum.hits += trial.hits;
+      sum.base += trial.base;
+    }
+    return std::optional(wilson(sum.hits, sum.base));
+  });
+  EXPECT_LT(wilsonHeld, 0.6) << "why it is for independent shots only";
 }
 
 }  // namespace

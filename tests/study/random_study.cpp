@@ -86,16 +86,22 @@ std::vector<std::string> names() {
   return several<std::string>([](std::size_t i) { return uniqueName("p", i); });
 }
 
+/// Path and hash.
+InputFile anyInput() {
+  InputFile file;
+  file.path = uniqueName("file", 0);
+  if (coin()) {
+    file.sha256 = *rc::gen::container<std::string>(64, rc::gen::elementOf(std::string("0123456789abcdef")));
+  }
+  return file;
+}
+
 MeshSource anyMesh() {
   MeshSource mesh;
   if (coin()) {
     mesh.from = Builtin{uniqueName("builtin", 0)};
   } else {
-    InputFile file;
-    file.path = uniqueName("file", 0);
-    if (coin()) {
-      file.sha256 = *rc::gen::container<std::string>(64, rc::gen::elementOf(std::string("0123456789abcdef")));
-    }
+    InputFile file = anyInput();
     if (coin()) {
       file.units = oneOf({base::LengthUnit::metre, base::LengthUnit::centimetre, base::LengthUnit::millimetre,
                           base::LengthUnit::inch});
@@ -177,18 +183,99 @@ Pose anyPose(std::size_t index) {
   return pose;
 }
 
+/// Positive, in metres as a file in mm gives it.
+double anySize() {
+  return *rc::gen::inRange(1, 900000) / 1000.0;
+}
+
+DegreeRange anyRange(int low, int high) {
+  const int from = *rc::gen::inRange(low, high);
+  return {from / 2.0, *rc::gen::inRange(from + 1, high + 1) / 2.0};
+}
+
+void shapeSource(Source& source) {
+  switch (source.type) {
+    case SourceType::point:
+      source.position = anyVector();
+      source.sampler = oneOf({Sampler::cone, Sampler::rectangle, Sampler::disk, Sampler::thesis});
+      if (source.sampler == Sampler::rectangle) {
+        source.width = anySize();
+        source.height = anySize();
+      } else if (source.sampler == Sampler::disk) {
+        source.radius = anySize();
+      }
+      break;
+    case SourceType::parallel:
+      source.azimuth.from = *rc::gen::inRange(-720, 721) / 2.0;
+      source.elevation.from = *rc::gen::inRange(-180, 181) / 2.0;
+      break;
+    case SourceType::band:
+      source.azimuth = anyRange(-360, 360);
+      source.elevation = anyRange(-180, 180);
+      break;
+    case SourceType::list:
+      source.list = anyInput();
+      break;
+    case SourceType::sphere:
+      break;
+  }
+}
+
 Source anySource(std::size_t index) {
   Source source;
   source.name = uniqueName("source", index);
-  source.position = anyVector();
+  source.type =
+      oneOf({SourceType::point, SourceType::parallel, SourceType::band, SourceType::sphere, SourceType::list});
+  shapeSource(source);
+  source.description = freeText();
+  if (source.type == SourceType::list) {
+    return source;
+  }
   if (coin()) {
     source.target = anyVector();
+  } else if (coin()) {
+    source.targetStructure = uniqueName("organ", index);
   }
-  source.sampler = oneOf({Sampler::cone, Sampler::thesis});
-  source.shots =
-      oneOf<std::uint64_t>({1, 100000, *rc::gen::inRange<std::uint64_t>(1, 1000000000000ULL), 1000000000000ULL});
-  source.description = freeText();
+  if (source.sampler != Sampler::thesis && coin()) {
+    source.sequence = source.type == SourceType::parallel ? oneOf({Sequence::sobol, Sequence::grid}) : Sequence::sobol;
+  }
+  if (source.sequence == Sequence::grid) {
+    source.cell = *rc::gen::inRange(1, 1000000) / 100.0 / 1000.0;
+  } else {
+    source.shots =
+        oneOf<std::uint64_t>({1, 100000, *rc::gen::inRange<std::uint64_t>(1, 1000000000000ULL), 1000000000000ULL});
+  }
   return source;
+}
+
+std::optional<StopRule> anyStop() {
+  if (coin()) {
+    return std::nullopt;
+  }
+  return StopRule{{"heart"}, *rc::gen::inRange(1, 501) / 1000.0, *rc::gen::inRange(1U, 100001U)};
+}
+
+Overlap anyOverlap() {
+  Overlap overlap;
+  overlap.policy =
+      oneOf({shotline::OverlapPolicy::allClaim, shotline::OverlapPolicy::outermost, shotline::OverlapPolicy::priority});
+  if (overlap.policy == shotline::OverlapPolicy::priority) {
+    overlap.order = names();
+  }
+  return overlap;
+}
+
+Analyses anyAnalyses() {
+  Analyses analyses;
+  analyses.compare = coin();
+  analyses.convergence = coin();
+  if (coin()) {
+    analyses.directions = DirectionGrid{oneOf({5.0, 30.0, 90.0}), *rc::gen::inRange<std::uint64_t>(1, 1000000)};
+  }
+  if (coin()) {
+    analyses.motion = MotionSettings{uniqueName("clip", 0), *rc::gen::inRange(1U, 100U), oneOf({12.5, 30.0, 120.0})};
+  }
+  return analyses;
 }
 
 Display anyDisplay(std::size_t index) {
@@ -230,6 +317,9 @@ Study makeStudy() {
     study.runPoses.emplace_back(oneOf<std::string>({"rest", "walk@0.125"}));
   }
   study.sources = several<Source>(anySource);
+  study.stop = anyStop();
+  study.overlap = anyOverlap();
+  study.analyses = anyAnalyses();
   study.models.clear();
   for (const OrganModel model :
        {OrganModel::staticJoint, OrganModel::staticSkin, OrganModel::dynamicThesis, OrganModel::dynamic}) {

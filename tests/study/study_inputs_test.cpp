@@ -51,7 +51,7 @@ TEST_F(Inputs, AreListedOnceInTheOrderOfTheStudy) {
   for (const InputFile& input : inputFiles(parseStudy(fullStudy, "s"))) {
     paths.push_back(input.path);
   }
-  EXPECT_EQ(paths, (std::vector<std::string>{"body.glb", "organs/liver.stl", "vest/front.glb"}));
+  EXPECT_EQ(paths, (std::vector<std::string>{"body.glb", "organs/liver.stl", "vest/front.glb", "shots.csv"}));
   EXPECT_EQ(inputFiles(studyOf({"a.stl", "b.stl", "a.stl"})).size(), 2U);
 }
 

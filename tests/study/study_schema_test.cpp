@@ -48,6 +48,11 @@ const std::map<std::string, std::span<const std::string_view>>& readerObjects() 
                                                                                 {"/$defs/pose", poseKeys},
                                                                                 {"/$defs/turn", turnKeys},
                                                                                 {"/$defs/source", sourceKeys},
+                                                                                {"/$defs/stop", stopKeys},
+                                                                                {"/$defs/overlap", overlapKeys},
+                                                                                {"/$defs/analyses", analysesKeys},
+                                                                                {"/$defs/directions", directionsKeys},
+                                                                                {"/$defs/motion", motionKeys},
                                                                                 {"/$defs/display", displayKeys}};
   return objects;
 }
@@ -70,6 +75,8 @@ TEST(StudySchema, HasTheWordsOfTheReaderForEveryChoice) {
   EXPECT_EQ(wordsAt("/$defs/lattice/properties/layout/enum"), wordsOf(layoutWords));
   EXPECT_EQ(wordsAt("/$defs/piece/properties/carriage/enum"), wordsOf(carriageWords));
   EXPECT_EQ(wordsAt("/$defs/source/properties/sampler/enum"), wordsOf(samplerWords));
+  EXPECT_EQ(wordsAt("/$defs/overlap/properties/policy/enum"), wordsOf(overlapWords));
+  EXPECT_EQ(wordsAt("/$defs/source/properties/sequence/enum"), wordsOf(sequenceWords));
   EXPECT_EQ(wordsAt("/$defs/source/properties/type/enum"), wordsOf(sourceTypeWords));
   EXPECT_EQ(wordsAt("/$defs/structureName/not/enum"), Words(reservedStructures.begin(), reservedStructures.end()));
   for (const char* object : {"human", "organ", "piece"}) {
@@ -98,6 +105,8 @@ TEST(StudySchema, HasTheVersionAndTheDefaultsOfTheProgram) {
   EXPECT_EQ(schema["properties"]["skinning"]["default"], wordFor(study.skinning, skinningWords));
   EXPECT_EQ(schema["properties"]["deformer"]["default"], wordFor(study.deformer, deformerWords));
   EXPECT_EQ(schema["properties"]["models"]["default"], Json({name(study.models.at(0)), name(study.models.at(1))}));
+  EXPECT_EQ(schema["$defs"]["stop"]["properties"]["half_width"]["default"], StopRule().halfWidth);
+  EXPECT_EQ(schema["$defs"]["stop"]["properties"]["max_trials"]["default"], StopRule().maxTrials);
   EXPECT_EQ(schema["$defs"]["source"]["properties"]["shots"]["default"], Source().shots);
   EXPECT_EQ(schema["$defs"]["lattice"]["properties"]["cell_mm"]["default"].get<double>() / 1000.0,
             LatticeSettings().cellMetres);

@@ -60,13 +60,12 @@ volatile std::uint64_t sink = 0;
 void measureShots(Report& report, const analysis::PosedScene& posed, base::Threads threads,
                   const base::Progress& progress) {
   shotline::PointSource source;
-  source.name = "front";
   const geometry::Box3d box = geometry::bounds(posed.body().skin);
   source.target = box.center();
   source.position = box.center() + geometry::Vec3d(0, 0, 5);
   const std::span<const geometry::Vec3f> skin(posed.body().skin);
   source.halfAngle = shotline::boundingHalfAngle(source.position, source.target, std::span(&skin, 1));
-  const shotline::ShotGenerator shots(source, 1, 0);
+  const shotline::ShotGenerator shots({"front", source}, 1, 0);
   std::vector<raycast::Ray> rays;
   for (std::uint64_t i = 0; i < rayCount; ++i) {
     rays.push_back(shots.shot(i));

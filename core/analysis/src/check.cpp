@@ -8,6 +8,7 @@
 #include "lorica/geometry/mesh_audit.h"
 #include "lorica/io/import.h"
 #include "lorica/study/study_file.h"
+#include "prepare_source.h"
 
 namespace lorica::analysis {
 
@@ -50,6 +51,26 @@ base::Issues checkMesh(const std::filesystem::path& path) {
   return issues;
 }
 
+/// What sources are aimed at when the body is at rest.
+Aim restAim(const LoadedStudy& study) {
+  Aim aim;
+  aim.skins.emplace_back(study.body->body().skin.positions);
+  aim.boxOf = [&study](const std::string& structure) {
+    for (const auto& organ : study.organs) {
+      if (organ->name == structure) {
+        return geometry::bounds(organ->rig.rest.positions);
+      }
+    }
+    for (const auto& piece : study.pieces) {
+      if (piece->name == structure) {
+        return geometry::bounds(piece->rig.rest.positions);
+      }
+    }
+    return geometry::Box3d();
+  };
+  return aim;
+}
+
 base::Issues checkStudy(const std::filesystem::path& path, base::Threads threads, const base::Progress& progress) {
   study::Study study = study::loadStudy(path);
   base::Issues issues = study::checkInputs(study, path);
@@ -62,9 +83,12 @@ base::Issues checkStudy(const std::filesystem::path& path, base::Threads threads
     issues.push_back({Severity::warning, path.string(), "/sources", "the study has no source to shoot from; add one"});
   }
   for (std::size_t s = 0; s < loaded.study.sources.size(); ++s) {
-    if (loaded.study.sources[s].target == loaded.study.sources[s].position) {
-      issues.push_back({Severity::error, path.string(), fmt::format("/sources/{}", s),
-                        "the source stands on its target; move one of them"});
+    try {
+      base::Issues remarks;
+      prepareSource(loaded, s, restAim(loaded), remarks);
+      base::append(issues, std::move(remarks));
+    } catch (const base::InputError& error) {
+      issues.push_back({Severity::error, error.file(), error.place(), error.text()});
     }
   }
   for (const std::string& pose : defaultPoses(loaded.study)) {

@@ -7,6 +7,7 @@
 #include "load_meshes.h"
 #include "lorica/armor/plates.h"
 #include "lorica/base/error.h"
+#include "lorica/base/files.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/manikin/task_clips.h"
 #include "lorica/manikin/test_cases.h"
@@ -491,6 +492,18 @@ base::Issues mergedFileIssues(const LoadedStudy& result, const LoadedStudy* prev
   return merged;
 }
 
+/// The shots of sources that are given as a file, one list per source.
+std::vector<shotline::ShotList> readShotLists(const study::Study& study, const fs::path& file) {
+  std::vector<shotline::ShotList> lists(study.sources.size());
+  for (std::size_t s = 0; s < lists.size(); ++s) {
+    if (study.sources[s].type == study::SourceType::list) {
+      const fs::path path = study::resolve(study.sources[s].list, file);
+      lists[s] = shotline::readShotList(base::readFile(path), path.string());
+    }
+  }
+  return lists;
+}
+
 bool usesThesisModel(const study::Study& study) {
   return std::find(study.models.begin(), study.models.end(), viscera::OrganModel::dynamicThesis) != study.models.end();
 }
@@ -511,6 +524,7 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
   LoadedStudy result;
   result.study = std::move(study);
   result.file = file;
+  result.shotLists = readShotLists(result.study, file);
   MeshLibrary library(file);
   Loading loading{result, library, threads};
   result.thesisSites = options.allModels || usesThesisModel(result.study);

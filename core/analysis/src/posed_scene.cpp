@@ -32,6 +32,12 @@ PosedScene::PosedScene(const LoadedStudy& study, std::vector<viscera::OrganModel
   layout_.systems = study.study.systems.size() + 1;
   layout_.organs = study.organs.size();
   layout_.models = models_.size();
+  layout_.classes = injuryClasses.size();
+  for (const study::Organ& organ : study.study.organs) {
+    const auto known = std::find(injuryClasses.begin(), injuryClasses.end(), organ.injuryClass);
+    layout_.organClass.push_back(
+        known == injuryClasses.end() ? 0 : static_cast<std::uint32_t>(known - injuryClasses.begin() + 1));
+  }
 }
 
 void PosedScene::deform(const std::optional<human::Pose>& pose, base::Threads threads) {

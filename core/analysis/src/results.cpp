@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <span>
 
+#include "lorica/analysis/comparisons.h"
+#include "lorica/analysis/directions.h"
+#include "lorica/analysis/posed_scene.h"
 #include "lorica/base/files.h"
 #include "lorica/io/export.h"
 #include "lorica/study/provenance.h"
@@ -36,41 +41,67 @@ std::optional<stats::Interval> ResultRow::coverageInterval() const {
   if (count.any == 0) {
     return std::nullopt;
   }
-  return stats::wilson(count.shielded, count.any);
+  return independent ? stats::wilson(count.shielded, count.any) : stats::ratioInterval(coverageByTrial);
+}
+
+std::optional<stats::Interval> ResultRow::shareInterval() const {
+  return independent ? stats::wilson(count.any, shots) : stats::ratioInterval(shareByTrial);
+}
+
+std::optional<stats::Moments> ResultRow::coverageOverTrials() const {
+  stats::Moments moments;
+  for (const stats::TrialCount& here : coverageByTrial) {
+    if (here.base > 0) {
+      moments.add(static_cast<double>(here.hits) / static_cast<double>(here.base));
+    }
+  }
+  return moments.count() < 2 ? std::nullopt : std::optional(moments);
 }
 
 namespace {
 
 /// Rows of one (source, system, model, pose) from one tally.
+/// \param trials what the tally is the sum of
 void appendBlock(std::vector<ResultRow>& rows, const LoadedStudy& study, ResultRow head, const Tally& tally,
-                 std::size_t system, std::size_t model) {
+                 std::span<const Tally> trials, std::size_t system, std::size_t model) {
   head.shots = tally.shots();
   head.bodyHits = tally.body(system).any;
   const auto row = [&](const std::string& structure, const char* kind, const std::string& injuryClass,
-                       const Count& count) {
+                       const auto& countOf) {
+    const Count count = countOf(tally);
     ResultRow made = head;
     made.structure = structure;
     made.kind = kind;
     made.injuryClass = injuryClass;
     made.count = count;
+    for (const Tally& trial : trials) {
+      const Count part = countOf(trial);
+      made.shareByTrial.push_back({part.any, trial.shots()});
+      made.coverageByTrial.push_back({part.shielded, part.any});
+    }
     rows.push_back(std::move(made));
   };
-  row("body", "body", "", tally.body(system));
-  row("miss", "body", "", tally.miss());
+  row("body", "body", "", [&](const Tally& t) { return t.body(system); });
+  row("miss", "body", "", [](const Tally& t) { return t.miss(); });
   const auto& regions = study.body->body().regions.names;
   for (std::size_t r = 0; r < regions.size(); ++r) {
-    row(regions[r], "region", "", tally.region(r, system));
+    row(regions[r], "region", "", [&](const Tally& t) { return t.region(r, system); });
   }
   for (std::size_t o = 0; o < study.organs.size(); ++o) {
-    row(study.organs[o]->name, "organ", study.study.organs[o].injuryClass, tally.organ(o, model, system));
+    row(study.organs[o]->name, "organ", study.study.organs[o].injuryClass,
+        [&](const Tally& t) { return t.organ(o, model, system); });
   }
   for (std::size_t p = 0; p < study.pieces.size(); ++p) {
     if (study.systemOfPiece[p] + 1 == system) {
-      row(study.pieces[p]->name, "armor", "", tally.piece(p));
+      row(study.pieces[p]->name, "armor", "", [&](const Tally& t) { return t.piece(p); });
     }
   }
-  row("armor", "aggregate", "", tally.anyArmor(system));
-  row("organs", "aggregate", "", tally.anyOrgan(model, system));
+  row("armor", "aggregate", "", [&](const Tally& t) { return t.anyArmor(system); });
+  row("organs", "aggregate", "", [&](const Tally& t) { return t.anyOrgan(model, system); });
+  for (std::size_t c = 0; c < injuryClasses.size(); ++c) {
+    const std::string name(injuryClasses.at(c));
+    row(name, "class", name, [&](const Tally& t) { return t.organClass(c, model, system); });
+  }
 }
 
 /// Walks blocks in the tables' order and hands each to `emit`.
@@ -89,6 +120,8 @@ void forEachBlock(const RunResult& result, const Emit& emit) {
           head.system = result.systems[system];
           head.model = viscera::name(result.models[model]);
           head.pose = result.poses[p];
+          head.measure = result.sources[s].measure;
+          head.independent = shotline::independentShots(result.sources[s].source);
           emit(head, here, system, model);
         }
       }
@@ -100,11 +133,57 @@ std::string number(std::optional<double> value) {
   return value ? fmt::format("{:.6f}", *value) : std::string();
 }
 
+std::string low(const std::optional<stats::Interval>& interval, double scale = 1.0) {
+  return interval ? number(scale * interval->low) : std::string();
+}
+
+std::string high(const std::optional<stats::Interval>& interval, double scale = 1.0) {
+  return interval ? number(scale * interval->high) : std::string();
+}
+
+/// What the row's percentage of shots is a share of, and how sure it is.
+void appendBasis(std::vector<std::string>& fields, const ResultRow& row) {
+  const std::optional<stats::Interval> share = row.shareInterval();
+  fields.push_back(low(share, 100.0));
+  fields.push_back(high(share, 100.0));
+  fields.emplace_back(row.independent ? "wilson" : "trials");
+  switch (row.measure.basis) {
+    case shotline::Basis::solidAngle:
+      fields.emplace_back("solid angle");
+      fields.emplace_back("sr");
+      break;
+    case shotline::Basis::area:
+      fields.emplace_back("presented area");
+      fields.emplace_back("m2");
+      break;
+    case shotline::Basis::shots:
+      fields.emplace_back("shots");
+      fields.emplace_back("");
+      fields.emplace_back("");
+      return;
+  }
+  fields.push_back(fmt::format("{:.9g}", row.measure.total));
+}
+
+/// The trials' coverage: its mean, standard deviation and standard error.
+void appendTrials(std::vector<std::string>& fields, const ResultRow& row) {
+  const std::optional<stats::Moments> moments = row.coverageOverTrials();
+  if (!moments) {
+    fields.insert(fields.end(), 3, "");
+    return;
+  }
+  const double deviation = moments->standardDeviation();
+  fields.push_back(number(moments->mean()));
+  fields.push_back(number(deviation));
+  fields.push_back(number(deviation / std::sqrt(static_cast<double>(moments->count()))));
+}
+
 std::string csv(const std::vector<ResultRow>& rows, bool withTrial) {
   std::string text = withTrial ? "source,system,model,pose,trial,structure" : "source,system,model,pose,structure";
   text +=
       ",kind,class,shots,any_hit,first_hit,unprotected_hit,protected_hit,pct_of_shots,pct_of_body_hits,coverage,"
-      "coverage_lo,coverage_hi\n";
+      "coverage_lo,coverage_hi,pct_of_shots_lo,pct_of_shots_hi,interval,basis,unit,basis_total,coverage_trials_mean,"
+      "coverage_trials_sd,coverage_trials_se\n";
   for (const ResultRow& row : rows) {
     std::vector<std::string> fields{row.source, row.system, row.model, row.pose};
     if (withTrial) {
@@ -115,10 +194,11 @@ std::string csv(const std::vector<ResultRow>& rows, bool withTrial) {
          std::array{row.structure, row.kind, row.injuryClass, std::to_string(row.shots), std::to_string(row.count.any),
                     std::to_string(row.count.first), std::to_string(row.unprotected()),
                     std::to_string(row.count.shielded), number(row.percentOfShots()), number(row.percentOfBodyHits()),
-                    number(row.coverage()), number(interval ? std::optional(interval->low) : std::nullopt),
-                    number(interval ? std::optional(interval->high) : std::nullopt)}) {
+                    number(row.coverage()), low(interval), high(interval)}) {
       fields.push_back(std::move(field));
     }
+    appendBasis(fields, row);
+    appendTrials(fields, row);
     text += io::csvRow(fields);
   }
   return text;
@@ -133,7 +213,7 @@ std::vector<ResultRow> summaryRows(const LoadedStudy& study, const RunResult& re
     for (const Tally& trial : here.trials) {
       sum.add(trial);
     }
-    appendBlock(rows, study, head, sum, system, model);
+    appendBlock(rows, study, head, sum, here.trials, system, model);
   });
   return rows;
 }
@@ -143,7 +223,7 @@ std::vector<ResultRow> trialRows(const LoadedStudy& study, const RunResult& resu
   forEachBlock(result, [&](ResultRow head, const SourcePoseResult& here, std::size_t system, std::size_t model) {
     for (std::size_t t = 0; t < here.trials.size(); ++t) {
       head.trial = static_cast<std::uint32_t>(t + 1);
-      appendBlock(rows, study, head, here.trials[t], system, model);
+      appendBlock(rows, study, head, here.trials[t], std::span(&here.trials[t], 1), system, model);
     }
   });
   return rows;
@@ -169,6 +249,18 @@ std::string trialsCsv(const std::vector<ResultRow>& rows) {
   return csv(rows, true);
 }
 
+namespace {
+
+study::Provenance::SourceRecord recordOf(const ShotSource& source) {
+  study::Provenance::SourceRecord record;
+  record.source = source.source;
+  record.shots = source.shots;
+  record.measure = source.measure;
+  return record;
+}
+
+}  // namespace
+
 std::string provenanceJson(const LoadedStudy& study, const RunResult& result) {
   study::Provenance provenance;
   provenance.study = study.study;
@@ -181,9 +273,7 @@ std::string provenanceJson(const LoadedStudy& study, const RunResult& result) {
     provenance.models.push_back(viscera::name(model));
   }
   for (const ShotSource& source : result.sources) {
-    provenance.sources.push_back({source.source.name, source.source.position, source.source.target,
-                                  source.source.sampler == shotline::Sampler::cone ? "cone" : "thesis", source.shots,
-                                  source.source.halfAngle, source.solidAngle});
+    provenance.sources.push_back(recordOf(source));
   }
   for (const SourcePoseResult& here : result.results) {
     provenance.runs.push_back({result.sources[here.source].source.name, result.poses[here.pose], here.trials.size(),
@@ -200,12 +290,38 @@ std::string provenanceJson(const LoadedStudy& study, const RunResult& result) {
 
 void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder) {
   const DeformationTables deformations = deformationTables(study, result);
-  base::writeFilesAtomically({{folder / "summary.csv", summaryCsv(summaryRows(study, result))},
-                              {folder / "trials.csv", trialsCsv(trialRows(study, result))},
-                              {folder / "deformation.csv", deformationCsv(deformations)},
-                              {folder / "contacts.csv", contactsCsv(deformations)},
-                              {folder / "room.csv", roomCsv(deformations)},
-                              {folder / "provenance.json", provenanceJson(study, result)}});
+  std::vector<base::FileBytes> files{{folder / "summary.csv", summaryCsv(summaryRows(study, result))},
+                                     {folder / "trials.csv", trialsCsv(trialRows(study, result))},
+                                     {folder / "deformation.csv", deformationCsv(deformations)},
+                                     {folder / "contacts.csv", contactsCsv(deformations)},
+                                     {folder / "room.csv", roomCsv(deformations)},
+                                     {folder / "provenance.json", provenanceJson(study, result)}};
+  if (study.study.analyses.compare) {
+    files.push_back({folder / "comparisons.csv", comparisonsCsv(comparisons(study, result))});
+    files.push_back({folder / "pieces.csv", piecesCsv(study, result)});
+    files.push_back({folder / "systems.csv", systemsCsv(study, result)});
+  }
+  if (study.study.analyses.convergence) {
+    files.push_back({folder / "convergence.csv", convergenceCsv(study, result)});
+  }
+  base::writeFilesAtomically(files);
+}
+
+std::vector<std::string> writeAnalyses(const LoadedStudy& study, const RunResult& result, const RunOptions& options,
+                                       const std::filesystem::path& folder, const base::Progress& progress) {
+  std::vector<std::string> names;
+  if (study.study.analyses.directions) {
+    const auto directions = byDirection(study, result, options.threads, progress.part(0.0, 0.5));
+    base::writeFileAtomically(folder / "directions.csv", directionsCsv(study, result, directions));
+    names.emplace_back("directions.csv");
+  }
+  if (study.study.analyses.motion) {
+    const MotionResult motion = overMotion(study, options, progress.part(0.5, 1.0));
+    base::writeFilesAtomically({{folder / "motion.csv", motionCsv(study, motion)},
+                                {folder / "motion_summary.csv", motionSummaryCsv(study, motion)}});
+    names.insert(names.end(), {"motion.csv", "motion_summary.csv"});
+  }
+  return names;
 }
 
 }  // namespace lorica::analysis

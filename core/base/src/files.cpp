@@ -111,4 +111,47 @@ void requireWritableFolder(const fs::path& folder) {
   fs::remove(probe, ignored);
 }
 
+FileDraft::FileDraft(fs::path path) : path_(std::move(path)) {
+  std::error_code failure;
+  if (path_.has_parent_path()) {
+    fs::create_directories(path_.parent_path(), failure);
+  }
+  stream_.open(draftOf(path_), std::ios::binary | std::ios::trunc);
+  if (!stream_) {
+    fail();
+  }
+}
+
+FileDraft::~FileDraft() {
+  if (!committed_) {
+    stream_.close();
+    std::error_code failure;
+    fs::remove(draftOf(path_), failure);
+  }
+}
+
+void FileDraft::fail() const {
+  throw InputError(path_.string(), "",
+                   "cannot be written; check the folder, its permissions and the space on the disk");
+}
+
+void FileDraft::write(std::string_view bytes) {
+  stream_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!stream_) {
+    fail();
+  }
+}
+
+void FileDraft::commit() {
+  stream_.close();
+  std::error_code failure;
+  if (stream_) {
+    fs::rename(draftOf(path_), path_, failure);
+  }
+  if (!stream_ || failure) {
+    fail();
+  }
+  committed_ = true;
+}
+
 }  // namespace lorica::base

@@ -25,10 +25,12 @@ void add(std::vector<Count>& sums, const std::vector<Count>& more) {
 Tally::Tally(const TargetLayout& layout)
     : systems_(layout.systems),
       organsPerModel_(layout.organs),
+      classCount_(layout.classes),
       bodyShielded_(layout.systems),
       regions_(layout.regions * layout.systems),
       organs_(layout.organs * layout.models * layout.systems),
       anyOrgan_(layout.models * layout.systems),
+      classes_(layout.models * layout.classes * layout.systems),
       pieces_(layout.pieces()),
       anyArmor_(layout.systems) {}
 
@@ -54,6 +56,7 @@ void Tally::add(const Tally& other) {
   shotline::add(regions_, other.regions_);
   shotline::add(organs_, other.organs_);
   shotline::add(anyOrgan_, other.anyOrgan_);
+  shotline::add(classes_, other.classes_);
   shotline::add(pieces_, other.pieces_);
   shotline::add(anyArmor_, other.anyArmor_);
 }

@@ -16,18 +16,59 @@ Json vector(const geometry::Vec3d& v) {
   return Json::array({v.x(), v.y(), v.z()});
 }
 
-Json sourceJson(const Provenance::SourceRecord& source) {
-  Json json{{"name", source.name},
-            {"position_m", vector(source.position)},
-            {"target_m", vector(source.target)},
-            {"sampler", source.sampler},
-            {"shots_per_trial", source.shots}};
-  if (source.solidAngle > 0.0) {
-    json["half_angle_deg"] = base::degrees(source.halfAngle);
-    json["solid_angle_sr"] = source.solidAngle;
-    json["percentages_are_of"] = "the cone's solid angle";
-  } else {
-    json["percentages_are_of"] = "shots of Eq 15, which have no solid angle; half of them go backwards";
+/// What each shape was made of.
+struct ShapeJson {
+  Json& json;
+
+  void operator()(const shotline::PointSource& point) const {
+    json["type"] = "point";
+    json["position_m"] = vector(point.position);
+    json["target_m"] = vector(point.target);
+    json["sampler"] = wordFor(point.sampler, samplerWords);
+    if (point.sampler == Sampler::cone || point.sampler == Sampler::disk) {
+      json["half_angle_deg"] = base::degrees(point.halfAngle);
+    }
+    if (point.sampler == Sampler::rectangle) {
+      json["width_m"] = point.width;
+      json["height_m"] = point.height;
+    }
+  }
+  void operator()(const shotline::ParallelBeam& beam) const {
+    json["type"] = "parallel";
+    json["azimuth_deg"] = base::degrees(beam.azimuth);
+    json["elevation_deg"] = base::degrees(beam.elevation);
+    json["centre_m"] = vector(beam.centre);
+    json["radius_m"] = beam.radius;
+  }
+  void operator()(const shotline::DirectionBand& band) const {
+    json["type"] = "band";
+    json["azimuth_deg"] = Json::array({base::degrees(band.azimuth.from), base::degrees(band.azimuth.to)});
+    json["elevation_deg"] = Json::array({base::degrees(band.elevation.from), base::degrees(band.elevation.to)});
+    json["centre_m"] = vector(band.centre);
+    json["radius_m"] = band.radius;
+  }
+  void operator()(const shotline::ShotList& /*list*/) const { json["type"] = "list"; }
+};
+
+Json sourceJson(const Provenance::SourceRecord& record) {
+  Json json{{"name", record.source.name}};
+  std::visit(ShapeJson{json}, record.source.shape);
+  json["sequence"] = wordFor(record.source.sequence, sequenceWords);
+  json["shots_per_trial"] = record.shots;
+  json["interval"] =
+      shotline::independentShots(record.source) ? "Wilson, 95 %" : "Student t across the trials, jackknife, 95 %";
+  switch (record.measure.basis) {
+    case shotline::Basis::solidAngle:
+      json["solid_angle_sr"] = record.measure.total;
+      json["percentages_are_of"] = "the solid angle of the shots";
+      break;
+    case shotline::Basis::area:
+      json["area_m2"] = record.measure.total;
+      json["percentages_are_of"] = "the area across the shots, a mean over their directions";
+      break;
+    case shotline::Basis::shots:
+      json["percentages_are_of"] = "shots, which have no solid angle and no area";
+      break;
   }
   return json;
 }
@@ -53,7 +94,6 @@ std::string provenanceText(const Provenance& provenance) {
   json["models"] = provenance.models;
   json["systems"] = provenance.systems;
   json["poses"] = provenance.poses;
-  json["interval"] = "Wilson, 95 %";
   json["sources"] = Json::array();
   for (const Provenance::SourceRecord& source : provenance.sources) {
     json["sources"].push_back(sourceJson(source));

@@ -129,6 +129,11 @@ void forEachInput(AnyStudy& study, Visit visit) {
       visit(*input);
     }
   });
+  for (auto& source : study.sources) {
+    if (source.type == SourceType::list) {
+      visit(source.list);
+    }
+  }
 }
 
 }  // namespace

@@ -10,26 +10,13 @@
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
 #include "lorica/study/study_file.h"
+#include "section_readers.h"
 #include "study_upgrade.h"
 #include "study_words.h"
 
 namespace lorica::study {
 
 namespace {
-
-/// Names that must differ, each with the pointer of the one that has it.
-class Names {
- public:
-  void claim(const Node& node, const std::string& name) {
-    const auto [place, fresh] = taken_.emplace(name, node.pointer());
-    if (!fresh) {
-      node.fail(fmt::format("the name {} is taken by {}; choose another", inQuotes(name), place->second));
-    }
-  }
-
- private:
-  std::map<std::string, std::string> taken_;
-};
 
 void refuseReserved(const Node& node, const std::string& name, std::span<const std::string_view> reserved,
                     const char* meaning) {
@@ -43,25 +30,6 @@ std::string structureName(const Node& node, Names& structures) {
   refuseReserved(node, name, reservedStructures, "a row of the results");
   structures.claim(node, name);
   return name;
-}
-
-std::vector<std::string> nameList(const Node& node, const std::string& what) {
-  std::vector<std::string> names;
-  Names taken;
-  for (const Node& entry : node.list("a list of " + what)) {
-    names.push_back(entry.name(what));
-    taken.claim(entry, names.back());
-  }
-  return names;
-}
-
-std::string sha256Text(const Node& node) {
-  const char* what = "64 lower-case hexadecimal digits";
-  std::string digits = node.text(what);
-  if (digits.size() != 64 || digits.find_first_not_of("0123456789abcdef") != std::string::npos) {
-    node.failExpected(what);
-  }
-  return digits;
 }
 
 /// The keys of a mesh inside the object that has it.
@@ -139,11 +107,6 @@ void readHuman(const Node& node, Study& study) {
     }
     study.jointRoles = readJointRoles(roles);
   }
-}
-
-std::string readDescription(const Node& node) {
-  const Node text = node["description"];
-  return text.present() ? text.text("a text") : "";
 }
 
 std::array<int, 3> readCells(const Node& node) {
@@ -305,29 +268,6 @@ Pose readPose(const Node& node, Names& poses) {
   return pose;
 }
 
-Source readSource(const Node& node, Names& sources) {
-  node.checkObject("a source of shots", sourceKeys);
-  Source source;
-  const Node name = node["name"];
-  source.name = name.name("a name");
-  sources.claim(name, source.name);
-  source.description = readDescription(node);
-  if (const Node type = node["type"]; type.present()) {
-    type.choice(sourceTypeWords);
-  }
-  source.position = node["position"].vector("metres");
-  if (const Node target = node["target"]; target.present()) {
-    source.target = target.vector("metres");
-  }
-  if (const Node sampler = node["sampler"]; sampler.present()) {
-    source.sampler = sampler.choice(samplerWords);
-  }
-  if (const Node shots = node["shots"]; shots.present()) {
-    source.shots = shots.whole(1, 1'000'000'000'000ULL);
-  }
-  return source;
-}
-
 /// "#rrggbb".
 std::array<std::uint8_t, 3> readColour(const Node& node) {
   const char* what = "a colour such as \"#c02818\"";
@@ -412,7 +352,8 @@ void readLists(const Node& root, Study& study) {
   }
   if (const Node list = root["sources"]; list.present()) {
     for (const Node& source : list.list("a list of sources")) {
-      study.sources.push_back(readSource(source, sources));
+      study.sources.push_back(readSource(source));
+      sources.claim(source["name"], study.sources.back().name);
     }
   }
   if (const Node list = root["display"]; list.present()) {
@@ -444,6 +385,15 @@ Study parseStudy(std::string_view json, const std::string& file) {
   }
   if (const Node seed = root["seed"]; seed.present()) {
     study.seed = seed.whole(0, std::numeric_limits<std::uint64_t>::max());
+  }
+  if (const Node stop = root["stop"]; stop.present()) {
+    study.stop = readStop(stop);
+  }
+  if (const Node overlap = root["overlap"]; overlap.present()) {
+    study.overlap = readOverlap(overlap);
+  }
+  if (const Node analyses = root["analyses"]; analyses.present()) {
+    study.analyses = readAnalyses(analyses);
   }
   if (const Node spacing = root["site_spacing_mm"]; spacing.present()) {
     study.siteSpacing = spacing.number({5.0, 500.0, true, "a spacing in mm from 5 to 500"}) / 1000.0;

@@ -15,7 +15,13 @@ namespace lorica::study {
 
 inline constexpr auto studyKeys = std::to_array<std::string_view>(
     {"lorica_study", "name", "description", "human", "organs", "armor", "poses", "run_poses", "sources", "models",
-     "trials", "seed", "site_spacing_mm", "skinning", "deformer", "display"});
+     "trials", "seed", "stop", "overlap", "analyses", "site_spacing_mm", "skinning", "deformer", "display"});
+inline constexpr auto stopKeys = std::to_array<std::string_view>({"structures", "half_width", "max_trials"});
+inline constexpr auto analysesKeys =
+    std::to_array<std::string_view>({"compare", "convergence", "directions", "motion"});
+inline constexpr auto directionsKeys = std::to_array<std::string_view>({"step_deg", "shots"});
+inline constexpr auto motionKeys = std::to_array<std::string_view>({"clip", "every", "frames_per_second"});
+inline constexpr auto overlapKeys = std::to_array<std::string_view>({"policy", "order"});
 inline constexpr auto humanKeys = std::to_array<std::string_view>(
     {"file", "sha256", "units", "up", "builtin", "parts", "sex", "stature_m", "mass_kg", "joint_roles"});
 inline constexpr auto organKeys = std::to_array<std::string_view>(
@@ -28,9 +34,12 @@ inline constexpr auto pieceKeys =
 inline constexpr auto poseKeys =
     std::to_array<std::string_view>({"name", "description", "clip", "seconds", "turns", "root_offset"});
 inline constexpr auto turnKeys = std::to_array<std::string_view>({"joint", "degrees"});
-inline constexpr auto sourceKeys =
-    std::to_array<std::string_view>({"name", "description", "type", "position", "target", "sampler", "shots"});
+inline constexpr auto sourceKeys = std::to_array<std::string_view>(
+    {"name", "description", "type", "position", "target", "target_structure", "sampler", "width_m", "height_m",
+     "radius_m", "azimuth_deg", "elevation_deg", "sequence", "cell_mm", "file", "sha256", "shots"});
 inline constexpr auto displayKeys = std::to_array<std::string_view>({"structure", "visible", "colour", "opacity"});
+
+using shotline::OverlapPolicy;
 
 template <class Value>
 using Word = std::pair<std::string_view, Value>;
@@ -44,8 +53,13 @@ inline constexpr auto layoutWords =
                                                   {"cell_size", LatticeSettings::Layout::cellSize}});
 inline constexpr auto carriageWords =
     std::to_array<Word<Carriage>>({{"rigid", Carriage::rigid}, {"skinned", Carriage::skinned}});
-inline constexpr auto samplerWords =
-    std::to_array<Word<Sampler>>({{"cone", Sampler::cone}, {"thesis", Sampler::thesis}});
+inline constexpr auto samplerWords = std::to_array<Word<Sampler>>(
+    {{"cone", Sampler::cone}, {"rectangle", Sampler::rectangle}, {"disk", Sampler::disk}, {"thesis", Sampler::thesis}});
+inline constexpr auto sequenceWords =
+    std::to_array<Word<Sequence>>({{"random", Sequence::random}, {"sobol", Sequence::sobol}, {"grid", Sequence::grid}});
+inline constexpr auto overlapWords = std::to_array<Word<OverlapPolicy>>({{"all_claim", OverlapPolicy::allClaim},
+                                                                         {"outermost", OverlapPolicy::outermost},
+                                                                         {"priority", OverlapPolicy::priority}});
 inline constexpr auto modelWords = std::to_array<Word<OrganModel>>({{"static_joint", OrganModel::staticJoint},
                                                                     {"static_skin", OrganModel::staticSkin},
                                                                     {"dynamic_thesis", OrganModel::dynamicThesis},
@@ -61,8 +75,11 @@ inline constexpr auto unitWords = std::to_array<Word<base::LengthUnit>>({{"m", b
 inline constexpr auto upWords = std::to_array<Word<char>>({{"y", 'y'}, {"z", 'z'}});
 inline constexpr auto classWords =
     std::to_array<Word<std::string_view>>({{"essential", "essential"}, {"desirable", "desirable"}});
-/// Sources are points so far.
-inline constexpr auto sourceTypeWords = std::to_array<Word<std::string_view>>({{"point", "point"}});
+inline constexpr auto sourceTypeWords = std::to_array<Word<SourceType>>({{"point", SourceType::point},
+                                                                         {"parallel", SourceType::parallel},
+                                                                         {"band", SourceType::band},
+                                                                         {"sphere", SourceType::sphere},
+                                                                         {"list", SourceType::list}});
 
 /// The text of a choice. \pre the value is in the table
 template <class Value, std::size_t N>

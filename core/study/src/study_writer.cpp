@@ -186,14 +186,99 @@ Json poseJson(const Pose& pose) {
   return object;
 }
 
-Json sourceJson(const Source& source) {
-  Json object = named(source.name, source.description);
-  object["position"] = vectorJson(source.position);
+/// What a point alone has, after its position and before its target.
+void putPosition(Json& object, const Source& source) {
+  if (source.type == SourceType::point) {
+    object["position"] = vectorJson(source.position);
+  }
+}
+
+void putAngles(Json& object, const Source& source) {
+  if (source.type == SourceType::parallel) {
+    object["azimuth_deg"] = source.azimuth.from;
+    object["elevation_deg"] = source.elevation.from;
+  }
+  if (source.type == SourceType::band) {
+    object["azimuth_deg"] = Json::array({source.azimuth.from, source.azimuth.to});
+    object["elevation_deg"] = Json::array({source.elevation.from, source.elevation.to});
+  }
+}
+
+void putTarget(Json& object, const Source& source) {
   if (source.target) {
     object["target"] = vectorJson(*source.target);
   }
+  putText(object, "target_structure", source.targetStructure);
+}
+
+void putSampler(Json& object, const Source& source) {
+  if (source.type != SourceType::point) {
+    return;
+  }
   object["sampler"] = wordFor(source.sampler, samplerWords);
-  object["shots"] = source.shots;
+  if (source.sampler == Sampler::rectangle) {
+    object["width_m"] = source.width;
+    object["height_m"] = source.height;
+  }
+  if (source.sampler == Sampler::disk) {
+    object["radius_m"] = source.radius;
+  }
+}
+
+Json sourceJson(const Source& source) {
+  Json object = named(source.name, source.description);
+  if (source.type != SourceType::point) {
+    object["type"] = wordFor(source.type, sourceTypeWords);
+  }
+  if (source.type == SourceType::list) {
+    object["file"] = source.list.path;
+    putText(object, "sha256", source.list.sha256);
+    return object;
+  }
+  putPosition(object, source);
+  putAngles(object, source);
+  putTarget(object, source);
+  putSampler(object, source);
+  if (source.sequence != Sequence::random) {
+    object["sequence"] = wordFor(source.sequence, sequenceWords);
+  }
+  if (source.sequence == Sequence::grid) {
+    object["cell_mm"] = millimetres(source.cell);
+  } else {
+    object["shots"] = source.shots;
+  }
+  return object;
+}
+
+Json stopJson(const StopRule& stop) {
+  return {{"structures", stop.structures}, {"half_width", stop.halfWidth}, {"max_trials", stop.maxTrials}};
+}
+
+Json overlapJson(const Overlap& overlap) {
+  Json object;
+  object["policy"] = wordFor(overlap.policy, overlapWords);
+  if (overlap.policy == OverlapPolicy::priority) {
+    object["order"] = overlap.order;
+  }
+  return object;
+}
+
+Json analysesJson(const Analyses& analyses) {
+  Json object;
+  if (analyses.compare) {
+    object["compare"] = true;
+  }
+  if (analyses.convergence) {
+    object["convergence"] = true;
+  }
+  if (analyses.directions) {
+    object["directions"] = {{"step_deg", analyses.directions->step}, {"shots", analyses.directions->shots}};
+  }
+  if (analyses.motion) {
+    object["motion"] = {{"clip", analyses.motion->clip},
+                        {"every", analyses.motion->every},
+                        {"frames_per_second", analyses.motion->framesPerSecond}};
+  }
   return object;
 }
 
@@ -239,6 +324,15 @@ Json studyJson(const Study& study) {
   }
   root["trials"] = study.trials;
   root["seed"] = study.seed;
+  if (study.stop) {
+    root["stop"] = stopJson(*study.stop);
+  }
+  if (study.overlap != defaults.overlap) {
+    root["overlap"] = overlapJson(study.overlap);
+  }
+  if (study.analyses != defaults.analyses) {
+    root["analyses"] = analysesJson(study.analyses);
+  }
   if (study.siteSpacing != defaults.siteSpacing) {
     root["site_spacing_mm"] = millimetres(study.siteSpacing);
   }

@@ -134,7 +134,7 @@ void FrameEngine::fill(Frame& frame, const FrameRequest& request) {
   frame.shots.clear();
   if (request.shotSource && *request.shotSource < study.study.sources.size()) {
     const analysis::ShotSource source = analysis::shotSourceFor(study, *request.shotSource, *frame.scene);
-    frame.shots = analysis::shotPaths(*frame.scene, source.source, study.study.seed, request.shotLimit);
+    frame.shots = analysis::shotPaths(*frame.scene, source, study.study.seed, request.shotLimit);
   }
 }
 

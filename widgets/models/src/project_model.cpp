@@ -108,6 +108,42 @@ QIcon colourSwatch(const QColor& colour) {
   return icon;
 }
 
+namespace {
+
+/// How a source spreads its shots, in a word.
+QString spreadOf(const study::Source& source) {
+  switch (source.type) {
+    case study::SourceType::parallel:
+      return ProjectModel::tr("parallel");
+    case study::SourceType::band:
+      return ProjectModel::tr("band of directions");
+    case study::SourceType::sphere:
+      return ProjectModel::tr("every direction");
+    case study::SourceType::list:
+      return ProjectModel::tr("from a file");
+    case study::SourceType::point:
+      break;
+  }
+  switch (source.sampler) {
+    case study::Sampler::rectangle:
+      return ProjectModel::tr("rectangle");
+    case study::Sampler::disk:
+      return ProjectModel::tr("disk");
+    case study::Sampler::thesis:
+      return ProjectModel::tr("thesis");
+    case study::Sampler::cone:
+      break;
+  }
+  return ProjectModel::tr("cone");
+}
+
+QString sourceText(const study::Source& source) {
+  const bool ownNumber = source.type == study::SourceType::list || source.sequence == study::Sequence::grid;
+  return ownNumber ? spreadOf(source) : ProjectModel::tr("%1, %2 shots").arg(spreadOf(source), grouped(source.shots));
+}
+
+}  // namespace
+
 ProjectModel::ProjectModel(document::StudyDocument& document, QObject* parent)
     : QAbstractItemModel(parent), document_(document) {
   root_ = makeTree();
@@ -432,8 +468,7 @@ QString ProjectModel::detailsOf(const Node& node) const {
       return {};
     case ItemKind::source:
       if (const study::Source* source = named(study.sources, name)) {
-        return tr("%1, %2 shots")
-            .arg(source->sampler == study::Sampler::cone ? tr("cone") : tr("thesis"), grouped(source->shots));
+        return sourceText(*source);
       }
       return {};
     case ItemKind::run:

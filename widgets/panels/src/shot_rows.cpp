@@ -72,7 +72,7 @@ void addSourceRows(PropertyForm& form, const std::function<std::string()>& sourc
             {Text::tr("Cone"), QStringLiteral("cone"), Text::tr("Even over the cone that bounds the posed body")},
             {Text::tr("Thesis (Eq 15)"), QStringLiteral("thesis"), Text::tr("For comparison with the thesis only")}};
       },
-      [here] { return here().sampler == study::Sampler::cone ? QStringLiteral("cone") : QStringLiteral("thesis"); },
+      [here] { return here().sampler == study::Sampler::thesis ? QStringLiteral("thesis") : QStringLiteral("cone"); },
       [&document, source](const QString& id) {
         commands::setSourceSampler(document, source(), id == u"thesis" ? study::Sampler::thesis : study::Sampler::cone);
       });

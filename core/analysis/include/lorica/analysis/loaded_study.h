@@ -41,6 +41,7 @@ struct LoadedStudy {
   std::shared_ptr<const viscera::SoftBody> softBody;
   std::vector<std::shared_ptr<const LoadedPiece>> pieces;  ///< system by system, in the study's order
   std::vector<std::size_t> systemOfPiece;                  ///< indices into Study::systems
+  std::vector<shotline::ShotList> shotLists;               ///< per source; filled for those of type list
   bool thesisSites = false;                                ///< bound for `dynamic_thesis` too, asked for or not
   base::Issues bodyIssues;
   base::Issues fileIssues;  ///< of reading the inputs; `file` is the input's path

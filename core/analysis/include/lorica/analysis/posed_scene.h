@@ -3,10 +3,16 @@
 /// \file
 /// Everything of a study in one pose: skin, armor of every system, organs of every model, ready for rays.
 
+#include <array>
+#include <string_view>
+
 #include "lorica/analysis/loaded_study.h"
 #include "lorica/shotline/tally.h"
 
 namespace lorica::analysis {
+
+/// Classes of organs, in the order of TargetLayout.
+inline constexpr std::array<std::string_view, 2> injuryClasses{"essential", "desirable"};
 
 /// One scene holds all systems and all models, so that one ray serves every comparison.
 class PosedScene {

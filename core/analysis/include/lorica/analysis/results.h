@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "lorica/analysis/run.h"
+#include "lorica/stats/accumulators.h"
 #include "lorica/stats/intervals.h"
 
 namespace lorica::analysis {
@@ -23,6 +24,10 @@ struct ResultRow {
   std::uint64_t shots = 0;
   std::uint64_t bodyHits = 0;
   shotline::Count count;
+  shotline::Measure measure;                       ///< what `shots` together make, as those of one trial do
+  bool independent = true;                         ///< the shots of each other: Wilson's interval holds
+  std::vector<stats::TrialCount> shareByTrial;     ///< any hits of shots, per trial of this row
+  std::vector<stats::TrialCount> coverageByTrial;  ///< protected of any hits
 
   std::uint64_t unprotected() const { return count.any - count.shielded; }
   double percentOfShots() const;
@@ -30,8 +35,13 @@ struct ResultRow {
   std::optional<double> percentOfBodyHits() const;
   /// Protected over any, 0 to 1; none when nothing was hit.
   std::optional<double> coverage() const;
-  /// Wilson, 95 %; none when nothing was hit. Both samplers draw shots independently and with equal weight.
+  /// 95 %; none when nothing was hit. Wilson for independent shots, else across trials (stats::ratioInterval), which
+  /// needs two that differ.
   std::optional<stats::Interval> coverageInterval() const;
+  /// Of any hits over shots, likewise, 0 to 1.
+  std::optional<stats::Interval> shareInterval() const;
+  /// Mean and spread of the trials' coverage; none with fewer than two trials that hit.
+  std::optional<stats::Moments> coverageOverTrials() const;
 };
 
 /// Rows in the order source, system, model, pose, structure; summed over trials.
@@ -48,7 +58,14 @@ std::string trialsCsv(const std::vector<ResultRow>& rows);
 /// whether the run is partial. Holds no time and no thread count: the same run gives the same bytes.
 std::string provenanceJson(const LoadedStudy& study, const RunResult& result);
 
-/// Writes the six files into a folder, all of them or none. \throw base::InputError
+/// Writes the six files, and those of comparisons and convergence where the study asks for them, into a folder, all of
+/// them or none. \throw base::InputError
 void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder);
+
+/// Shoots and writes what the study asks for beside the run: directions.csv, motion.csv, motion_summary.csv.
+/// \return names of the files written
+/// \throw base::InputError, base::Cancelled; then none of the analysis at hand stays
+std::vector<std::string> writeAnalyses(const LoadedStudy& study, const RunResult& result, const RunOptions& options,
+                                       const std::filesystem::path& folder, const base::Progress& progress = {});
 
 }  // namespace lorica::analysis

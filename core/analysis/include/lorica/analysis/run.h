@@ -4,7 +4,7 @@
 /// Runs a study: every pose, source and trial, all systems and models on the same shots.
 
 #include "lorica/analysis/deformation.h"
-#include "lorica/shotline/trace.h"
+#include "lorica/shotline/pair_tally.h"
 
 namespace lorica::analysis {
 
@@ -13,15 +13,15 @@ struct RunOptions {
   std::vector<std::string> poses;  ///< names or CLIP@SECONDS
   std::optional<std::uint64_t> seed;
   std::optional<std::uint32_t> trials;
-  std::optional<std::uint64_t> shots;  ///< per trial, for every source
+  std::optional<std::uint64_t> shots;  ///< per trial, for every source but grids and lists, which have their own
   base::Threads threads;
 };
 
 /// One source as it was shot from.
 struct ShotSource {
-  shotline::PointSource source;
-  std::uint64_t shots = 0;  ///< per trial
-  double solidAngle = 0.0;  ///< steradians; 0 for the thesis' sampler, which has none
+  shotline::Source source;
+  std::uint64_t shots = 0;    ///< per trial
+  shotline::Measure measure;  ///< what all shots of a trial together make
 };
 
 /// Counts of one source at one pose, trial by trial.
@@ -30,6 +30,7 @@ struct SourcePoseResult {
   std::size_t pose = 0;
   std::vector<shotline::Tally> trials;  ///< those that were finished
   raycast::CastCounts counts;           ///< over all of them
+  shotline::PairTally pairs;            ///< over all of them, when the study asks for `compare`
 };
 
 struct RunResult {
@@ -38,7 +39,7 @@ struct RunResult {
   std::vector<viscera::OrganModel> models;
   std::vector<std::string> systems;  ///< "unarmored" first
   std::uint64_t seed = 0;
-  std::uint32_t trials = 0;                 ///< asked for
+  std::uint32_t trials = 0;                 ///< asked for; more with a rule for stopping
   std::vector<SourcePoseResult> results;    ///< source by source, pose by pose
   std::vector<std::size_t> collapsedSites;  ///< per pose, interior sites whose anchors collapsed
   /// Pose by pose, model by model, as far as the run came; a study without organs has rows without organs.
@@ -49,9 +50,14 @@ struct RunResult {
   bool partial = false;  ///< cancelled: `results` holds what was finished
 };
 
+/// What a run would shoot from and at, without a shot: `results` has no trials.
+/// \throw base::InputError for an unknown pose, a source that cannot be, an organ of the stop rule that is not there
+RunResult planRun(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress = {});
+
 /// Runs. When cancelled, returns what was finished and marks it partial. The same study, options and seed give the
 /// same result at any number of threads.
-/// \throw base::InputError for an unknown pose
+/// With a rule for stopping in the study, each source and pose has as many trials as it takes.
+/// \throw base::InputError as planRun
 RunResult run(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress = {});
 
 }  // namespace lorica::analysis

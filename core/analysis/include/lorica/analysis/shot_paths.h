@@ -26,7 +26,7 @@ StructureRef structureOfMesh(const shotline::TargetLayout& layout, std::uint32_t
 
 struct ShotCrossing {
   StructureRef structure;
-  double distance = 0.0;  ///< metres from the source
+  double distance = 0.0;  ///< metres from the shot's origin
   bool entering = false;
 };
 
@@ -37,13 +37,14 @@ struct ShotPath {
   std::vector<ShotCrossing> crossings;  ///< in order
 };
 
-/// The source of a study made ready to shoot at the posed skin of the scene: its cone bounds that skin alone, unless
-/// a run over more poses widens it.
-/// \throw base::InputError when the source stands on its target
+/// The source of a study made ready to shoot at the posed skin of the scene: its cone or disk bounds that skin alone,
+/// unless a run over more poses widens it.
+/// \throw base::InputError when the source stands on its target or inside the body
 ShotSource shotSourceFor(const LoadedStudy& study, std::size_t source, const PosedScene& scene);
 
-/// Shots 0 to `count` - 1 of trial 0 with all their crossings. Exact as in a run. Cost: that of `count` rays.
-std::vector<ShotPath> shotPaths(const PosedScene& scene, const shotline::PointSource& source, std::uint64_t seed,
+/// Shots 0 to `count` - 1 of trial 0 with all their crossings, of a grid as many that lie spread over it; fewer where
+/// the source has fewer. Exact as in a run. Cost: that of `count` rays.
+std::vector<ShotPath> shotPaths(const PosedScene& scene, const ShotSource& source, std::uint64_t seed,
                                 std::size_t count);
 
 }  // namespace lorica::analysis

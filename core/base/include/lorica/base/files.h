@@ -4,6 +4,7 @@
 /// Whole files in and out. Writing is all or nothing: a reader never sees half a file, a failure leaves the old one.
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,28 @@ struct FileBytes {
 /// The same for files that belong together: all drafts are written before the first is renamed.
 /// \throw InputError when one cannot be written; then the old ones stay
 void writeFilesAtomically(const std::vector<FileBytes>& files);
+
+/// A file that is written piece by piece: beside its place until commit() puts it there. Without, nothing stays.
+class FileDraft {
+ public:
+  /// Makes the folder when it is missing. \throw InputError when the place cannot be written
+  explicit FileDraft(std::filesystem::path path);
+  FileDraft(const FileDraft&) = delete;
+  FileDraft& operator=(const FileDraft&) = delete;
+  ~FileDraft();
+
+  /// \throw InputError, as when the disk is full
+  void write(std::string_view bytes);
+  /// \throw InputError; then the old file stays
+  void commit();
+
+ private:
+  [[noreturn]] void fail() const;
+
+  std::filesystem::path path_;
+  std::ofstream stream_;
+  bool committed_ = false;
+};
 
 /// Makes the folder when it is missing and tries whether files can be made in it, before long work is done for it.
 /// \throw InputError

@@ -22,6 +22,8 @@ struct TargetLayout {
   std::size_t systems = 1;                 ///< armor systems, the unarmored one first
   std::vector<std::uint32_t> pieceSystem;  ///< per piece, its system (1 and up)
   std::size_t organs = 0;
+  std::vector<std::uint32_t> organClass;  ///< per organ, 0 for none, else its class from 1 up; empty: no classes
+  std::size_t classes = 0;
   std::size_t models = 0;  ///< organ meshes come model by model: mesh 1 + pieces + model * organs + organ
 
   std::size_t pieces() const { return pieceSystem.size(); }
@@ -51,6 +53,10 @@ class Tally {
   }
   /// Any of the organs of a model.
   Count anyOrgan(std::size_t model, std::size_t system) const { return anyOrgan_[model * systems_ + system]; }
+  /// Any of the organs of a class (from 0) in a model. First hit: one of them is met before any other organ.
+  Count organClass(std::size_t organClass, std::size_t model, std::size_t system) const {
+    return classes_[(model * classCount_ + organClass) * systems_ + system];
+  }
   /// A piece under its own system.
   Count piece(std::size_t piece) const { return pieces_[piece]; }
   /// Any of the pieces of a system.
@@ -63,12 +69,14 @@ class Tally {
   friend class ShotCounter;
   std::size_t systems_ = 0;
   std::size_t organsPerModel_ = 0;
+  std::size_t classCount_ = 0;
   std::uint64_t shots_ = 0;
   Count body_;
   std::vector<std::uint64_t> bodyShielded_;  ///< per system
   std::vector<Count> regions_;               ///< region, then system
   std::vector<Count> organs_;                ///< model, organ, then system
   std::vector<Count> anyOrgan_;              ///< model, then system
+  std::vector<Count> classes_;               ///< model, class, then system
   std::vector<Count> pieces_;
   std::vector<Count> anyArmor_;  ///< per system
 };

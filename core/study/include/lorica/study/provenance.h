@@ -14,13 +14,9 @@ namespace lorica::study {
 
 struct Provenance {
   struct SourceRecord {
-    std::string name;
-    geometry::Vec3d position;
-    geometry::Vec3d target;
-    std::string sampler;
+    shotline::Source source;
     std::uint64_t shots = 0;  ///< per trial
-    double halfAngle = 0.0;   ///< radians
-    double solidAngle = 0.0;  ///< steradians
+    shotline::Measure measure;
   };
   struct RunRecord {
     std::string source;

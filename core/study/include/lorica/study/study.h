@@ -17,7 +17,8 @@
 #include "lorica/geometry/vectors.h"
 #include "lorica/human/joint_roles.h"
 #include "lorica/human/person.h"
-#include "lorica/shotline/point_source.h"
+#include "lorica/shotline/partition.h"
+#include "lorica/shotline/source.h"
 #include "lorica/viscera/organ_rig.h"
 
 namespace lorica::study {
@@ -50,6 +51,7 @@ using armor::Carriage;
 using human::Skinning;
 using viscera::Deformer;
 using shotline::Sampler;
+using shotline::Sequence;
 using viscera::OrganModel;
 
 struct Organ {
@@ -109,15 +111,80 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// A point that shots come from.
+enum class SourceType {
+  point,     ///< one place, near or far
+  parallel,  ///< one direction, from far away
+  band,      ///< directions between two azimuths and two elevations, from far away
+  sphere,    ///< every direction
+  list       ///< shots of a CSV file
+};
+
+/// From one angle up to another, degrees.
+struct DegreeRange {
+  double from = 0.0;
+  double to = 0.0;
+  bool operator==(const DegreeRange&) const = default;
+};
+
+/// Where shots come from. Azimuth and elevation as lorica/shotline/source.h has them. The file keeps only what the type
+/// and the sampler use.
 struct Source {
   std::string name;
-  geometry::Vec3d position = geometry::Vec3d::Zero();  ///< metres
-  std::optional<geometry::Vec3d> target;               ///< default: the centre of the posed skin's box
-  Sampler sampler = Sampler::cone;
-  std::uint64_t shots = 100000;  ///< per trial
-  std::string description{};     ///< free text
+  geometry::Vec3d position = geometry::Vec3d::Zero();  ///< of a point, metres
+  std::optional<geometry::Vec3d> target;  ///< middle of the shots; default: the centre of the posed skin's box
+  Sampler sampler = Sampler::cone;        ///< of a point
+  std::uint64_t shots = 100000;           ///< per trial; a grid and a list have their own number
+  std::string description{};              ///< free text
+  SourceType type = SourceType::point;
+  std::string targetStructure{};         ///< instead of `target`: the centre of an organ's or a piece's box
+  double width = 0.0;                    ///< of sampler rectangle, metres
+  double height = 0.0;                   ///< of sampler rectangle, metres
+  double radius = 0.0;                   ///< of sampler disk, metres
+  DegreeRange azimuth{};                 ///< of parallel (`from` alone) and band
+  DegreeRange elevation{};               ///< likewise, -90 to 90
+  Sequence sequence = Sequence::random;  ///< grid for parallel alone; random for thesis and list
+  double cell = 0.0;                     ///< largest size of a cell of the grid, metres
+  InputFile list{};                      ///< of type list
   bool operator==(const Source&) const = default;
+};
+
+/// Who owns what several structures claim, in what is told of single shots.
+struct Overlap {
+  shotline::OverlapPolicy policy = shotline::OverlapPolicy::allClaim;
+  std::vector<std::string> order{};  ///< of `priority`: organs and pieces, the strongest first
+  bool operator==(const Overlap&) const = default;
+};
+
+/// Trials go on, beyond those of the study, until the intervals are narrow enough.
+struct StopRule {
+  std::vector<std::string> structures{};  ///< organs
+  double halfWidth = 0.01;  ///< of the coverage under every armor system; without armor, of the share of shots
+  std::uint32_t maxTrials = 1000;
+  bool operator==(const StopRule&) const = default;
+};
+
+/// Coverage by direction: parallel beams from the middles of equal steps of azimuth and elevation.
+struct DirectionGrid {
+  double step = 30.0;           ///< degrees, divides 180
+  std::uint64_t shots = 10000;  ///< of each beam
+  bool operator==(const DirectionGrid&) const = default;
+};
+
+/// Coverage over a motion clip: every so many of its frames, the first and the last among them.
+struct MotionSettings {
+  std::string clip{};
+  std::uint32_t every = 1;
+  double framesPerSecond = 30.0;
+  bool operator==(const MotionSettings&) const = default;
+};
+
+/// What a run works out beside the tables of coverage.
+struct Analyses {
+  bool compare = false;      ///< systems and models on the same shots, pieces left out, mass and area
+  bool convergence = false;  ///< coverage after each trial
+  std::optional<DirectionGrid> directions{};
+  std::optional<MotionSettings> motion{};
+  bool operator==(const Analyses&) const = default;
 };
 
 /// How a structure is drawn where that is not the program's default; changes no number.
@@ -148,6 +215,9 @@ struct Study {
   double siteSpacing = 0.04;  ///< metres between interior sites
   Skinning skinning = Skinning::rotationCentres;
   Deformer deformer = Deformer::softBody;  ///< of OrganModel::dynamic
+  std::optional<StopRule> stop;  ///< none: `trials` and no more
+  Overlap overlap;
+  Analyses analyses;
   std::vector<Display> displays;  ///< each structure at most once
   bool operator==(const Study&) const = default;
 };

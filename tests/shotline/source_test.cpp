@@ -1,4 +1,4 @@
-#include "lorica/shotline/point_source.h"
+#include "lorica/shotline/shot_generator.h"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +14,16 @@ namespace {
 using geometry::Vec3d;
 using geometry::Vec3f;
 
-PointSource coneAt(double halfAngle) {
+PointSource pointAt(double halfAngle) {
   PointSource source;
-  source.name = "front";
   source.position = {1, 2, 3};
   source.target = {-1, 1, 0.5};
   source.halfAngle = halfAngle;
   return source;
+}
+
+Source coneAt(double halfAngle) {
+  return {"front", pointAt(halfAngle)};
 }
 
 TEST(BoundingCone, OfASphereHasTheTangentsAngle) {
@@ -56,8 +59,8 @@ TEST(SolidAngle, OfTheWholeSphereAndOfAHemisphere) {
 
 TEST(ConeSampler, StaysInTheConeAndFillsItEvenly) {
   for (const double angle : {0.05, 0.5, 1.4, std::numbers::pi}) {
-    const PointSource source = coneAt(angle);
-    const ShotGenerator shots(source, 7, 0);
+    const PointSource source = pointAt(angle);
+    const ShotGenerator shots({"front", source}, 7, 0);
     const Vec3d axis = (source.target - source.position).normalized();
     constexpr int count = 40000;
     int inner = 0;
@@ -79,11 +82,11 @@ TEST(ConeSampler, StaysInTheConeAndFillsItEvenly) {
 }
 
 TEST(ShotGenerator, AShotDependsOnSeedSourceTrialAndNumberOnly) {
-  const PointSource source = coneAt(0.3);
-  const auto direction = [](const PointSource& s, std::uint64_t seed, std::uint32_t trial, std::uint64_t number) {
+  const Source source = coneAt(0.3);
+  const auto direction = [](const Source& s, std::uint64_t seed, std::uint32_t trial, std::uint64_t number) {
     return ShotGenerator(s, seed, trial).shot(number).direction;
   };
-  PointSource renamed = source;
+  Source renamed = source;
   renamed.name = "side";
   EXPECT_EQ(direction(source, 1, 0, 5), direction(source, 1, 0, 5));
   EXPECT_NE(direction(source, 1, 0, 5), direction(source, 2, 0, 5));
@@ -93,11 +96,11 @@ TEST(ShotGenerator, AShotDependsOnSeedSourceTrialAndNumberOnly) {
 }
 
 TEST(ThesisSampler, SendsHalfOfItsShotsBackwards) {
-  PointSource source = coneAt(0.0);
+  PointSource source = pointAt(0.0);
   source.sampler = Sampler::thesis;
   source.position = {0, 0, 5};
   source.target = {0, 0, 0};
-  const ShotGenerator shots(source, 1, 0);
+  const ShotGenerator shots({"front", source}, 1, 0);
   int backwards = 0;
   for (std::uint64_t i = 0; i < 10000; ++i) {
     const Vec3f direction = shots.shot(i).direction;

@@ -1,0 +1,132 @@
+#include "lorica/analysis/directions.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+#include "lorica/analysis/posed_scene.h"
+#include "lorica/analysis/results.h"
+#include "lorica/base/units.h"
+#include "lorica/geometry/measures.h"
+#include "lorica/io/export.h"
+
+namespace lorica::analysis {
+
+namespace {
+
+std::string number(const std::optional<double>& value) {
+  return value ? fmt::format("{:.6f}", *value) : std::string();
+}
+
+/// Middles of the cells of a grid of directions, degrees.
+std::vector<std::array<double, 2>> directionsOf(const study::DirectionGrid& grid) {
+  std::vector<std::array<double, 2>> directions;
+  const auto columns = static_cast<int>(std::lround(360.0 / grid.step));
+  const auto rows = static_cast<int>(std::lround(180.0 / grid.step));
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      directions.push_back({column * 360.0 / columns, -90.0 + (row + 0.5) * 180.0 / rows});
+    }
+  }
+  return directions;
+}
+
+}  // namespace
+
+std::vector<DirectionResult> byDirection(const LoadedStudy& study, const RunResult& plan, base::Threads threads,
+                                         const base::Progress& progress) {
+  const study::DirectionGrid& grid = *study.study.analyses.directions;
+  const auto directions = directionsOf(grid);
+  std::vector<DirectionResult> results;
+  const double steps = static_cast<double>(plan.poses.size() * directions.size());
+  for (std::size_t p = 0; p < plan.poses.size(); ++p) {
+    const PosedScene scene(study, plan.models, resolvePose(study, plan.poses[p]).pose, raycast::SceneUse::manyRays,
+                           threads);
+    const std::span<const geometry::Vec3f> skin(scene.body().skin);
+    for (const auto& [azimuth, elevation] : directions) {
+      shotline::ParallelBeam beam;
+      beam.azimuth = base::radians(azimuth);
+      beam.elevation = base::radians(elevation);
+      beam.centre = geometry::bounds(skin).center();
+      beam.radius =
+          shotline::boundingRadius(beam.centre, shotline::towards(beam.azimuth, beam.elevation), std::span(&skin, 1));
+      const shotline::Source source{fmt::format("direction {} {}", azimuth, elevation), beam};
+      const double begin = static_cast<double>(results.size());
+      DirectionResult here{p, azimuth, elevation, shotline::measureOf(source).total, {}};
+      here.tally = shotline::trace(scene.scene(), scene.layout(), shotline::ShotGenerator(source, plan.seed, 0),
+                                   grid.shots, threads, progress.part(begin / steps, (begin + 1.0) / steps))
+                       .tally;
+      results.push_back(std::move(here));
+    }
+  }
+  return results;
+}
+
+std::string directionsCsv(const LoadedStudy& study, const RunResult& plan,
+                          const std::vector<DirectionResult>& results) {
+  struct Row {
+    ResultRow row;
+    const DirectionResult* direction;
+    double open() const {
+      return direction->area * static_cast<double>(row.unprotected()) / static_cast<double>(row.shots);
+    }
+  };
+  // Every direction as a run of one trial, so that rows mean what they mean in the summary.
+  std::map<std::array<std::string, 5>, std::vector<Row>> groups;
+  std::vector<std::array<std::string, 5>> order;
+  for (const DirectionResult& direction : results) {
+    RunResult single;
+    single.sources.resize(1);
+    single.sources[0].source.shape = shotline::ParallelBeam{};
+    single.poses = {plan.poses[direction.pose]};
+    single.models = plan.models;
+    single.systems = plan.systems;
+    single.results = {{0, 0, {direction.tally}, {}, {}}};
+    for (ResultRow& row : summaryRows(study, single)) {
+      const std::array<std::string, 5> key{row.system, row.model, row.pose, row.kind, row.structure};
+      std::vector<Row>& group = groups[key];
+      if (group.empty()) {
+        order.push_back(key);
+      }
+      group.push_back({std::move(row), &direction});
+    }
+  }
+  std::string text =
+      "system,model,pose,structure,kind,class,azimuth_deg,elevation_deg,shots,any_hit,protected_hit,coverage,coverage_"
+      "lo,"
+      "coverage_hi,presented_area_m2,unprotected_area_m2,lowest_coverage,largest_unprotected_area\n";
+  for (const auto& key : order) {
+    const std::vector<Row>& group = groups[key];
+    const Row* lowest = nullptr;
+    const Row* largest = nullptr;
+    for (const Row& here : group) {
+      const auto coverage = here.row.coverage();
+      if (coverage && (lowest == nullptr || *coverage < *lowest->row.coverage() ||
+                       (*coverage == *lowest->row.coverage() && here.open() > lowest->open()))) {
+        lowest = &here;
+      }
+      if (here.row.unprotected() > 0 && (largest == nullptr || here.open() > largest->open())) {
+        largest = &here;
+      }
+    }
+    for (const Row& here : group) {
+      const ResultRow& row = here.row;
+      const auto interval = row.coverageInterval();
+      text += io::csvRow(
+          std::array{row.system, row.model, row.pose, row.structure, row.kind, row.injuryClass,
+                     fmt::format("{}", here.direction->azimuth), fmt::format("{}", here.direction->elevation),
+                     std::to_string(row.shots), std::to_string(row.count.any), std::to_string(row.count.shielded),
+                     number(row.coverage()), interval ? number(interval->low) : std::string(),
+                     interval ? number(interval->high) : std::string(),
+                     number(here.direction->area * row.percentOfShots() / 100.0), number(here.open()),
+                     std::string(&here == lowest ? "1" : "0"), std::string(&here == largest ? "1" : "0")});
+    }
+  }
+  return text;
+}
+
+}  // namespace lorica::analysis
