@@ -1,4 +1,8 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <iostream>
+#include <span>
 
 #include "lorica/human/rotation_centres.h"
 #include "lorica/manikin/body.h"
@@ -8,32 +12,57 @@
 namespace lorica::manikin {
 namespace {
 
-class BodySkinning : public testing::TestWithParam<human::Sex> {};
+struct Case {
+  human::Sex sex;
+  double percentile;
+
+  std::string name() const { return fmt::format("{}{:.0f}", sex == human::Sex::male ? "Man" : "Woman", percentile); }
+};
+
+/// The worst of a clip.
+struct Worst {
+  double volumeChange = 0.0;
+  double flippedShare = 0.0;
+};
+
+Worst worstOf(const Body& body, const human::Clip& clip, std::span<const geometry::Vec3f> centres) {
+  Worst worst;
+  geometry::Positions posed(body.skin.positions.size());
+  for (double seconds = 0.0; seconds <= clip.duration(); seconds += 0.25) {
+    const auto deltas = human::skinningDeltas(body.skeleton, human::sample(clip, body.skeleton, seconds));
+    human::skin(body.skin.positions, body.weights, centres, deltas, posed, {});
+    const test::SkinQuality quality = test::skinQuality(body.skin, body.weights, deltas, posed);
+    if (std::abs(quality.volumeChange) > std::abs(worst.volumeChange)) {
+      worst.volumeChange = quality.volumeChange;
+    }
+    worst.flippedShare = std::max(worst.flippedShare, quality.flippedShare);
+  }
+  return worst;
+}
+
+class BodySkinning : public testing::TestWithParam<Case> {};
 
 TEST_P(BodySkinning, KeepsVolumeAndTurnsLittleOverInEveryTask) {
-  const Body body = makeBody(personAtPercentile(GetParam(), 50.0), {});
+  const Body body = makeBody(personAtPercentile(GetParam().sex, GetParam().percentile), {});
   const auto clips = taskClips(body.skeleton, human::findRoles(body.skeleton), measuredOn(body));
+  ASSERT_EQ(clips.size(), 9u);
   const auto centres = human::rotationCentres(body.skin, body.weights, {});
-  geometry::Positions posed(body.skin.positions.size());
+  std::cout << fmt::format("{:8} {:>14} {:>10}\n", GetParam().name(), "volume, %", "flipped, %");
   for (const human::Clip& clip : clips) {
-    double volumeChange = 0.0;
-    double flippedShare = 0.0;
-    for (double seconds = 0.0; seconds <= clip.duration(); seconds += 0.25) {
-      const auto deltas = human::skinningDeltas(body.skeleton, human::sample(clip, body.skeleton, seconds));
-      human::skin(body.skin.positions, body.weights, centres, deltas, posed, {});
-      const test::SkinQuality quality = test::skinQuality(body.skin, body.weights, deltas, posed);
-      volumeChange = std::max(volumeChange, std::abs(quality.volumeChange));
-      flippedShare = std::max(flippedShare, quality.flippedShare);
-    }
-    std::cout << clip.name << ": volume within " << 100.0 * volumeChange << " %, flipped " << 100.0 * flippedShare
-              << " %\n";
-    EXPECT_LT(volumeChange, 0.05) << clip.name;
-    EXPECT_LT(flippedShare, 0.005) << clip.name;
+    const Worst worst = worstOf(body, clip, centres);
+    std::cout << fmt::format("  {:13} {:7.2f} {:10.3f}\n", clip.name, 100.0 * worst.volumeChange,
+                             100.0 * worst.flippedShare);
+    EXPECT_LT(std::abs(worst.volumeChange), 0.05) << clip.name;
+    // Half a per cent is what the method is held to; the rest is room for persons between and beyond these.
+    EXPECT_LT(worst.flippedShare, 0.0035) << clip.name;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Median, BodySkinning, testing::Values(human::Sex::male, human::Sex::female),
-                         [](const auto& person) { return person.param == human::Sex::male ? "Man" : "Woman"; });
+INSTANTIATE_TEST_SUITE_P(Adults, BodySkinning,
+                         testing::Values(Case{human::Sex::male, 5.0}, Case{human::Sex::male, 50.0},
+                                         Case{human::Sex::male, 95.0}, Case{human::Sex::female, 5.0},
+                                         Case{human::Sex::female, 50.0}, Case{human::Sex::female, 95.0}),
+                         [](const auto& chosen) { return chosen.param.name(); });
 
 }  // namespace
 }  // namespace lorica::manikin

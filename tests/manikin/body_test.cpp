@@ -314,6 +314,11 @@ TEST(Person, OutsideTheLimitsIsNamed) {
   EXPECT_EQ(complaint({Sex::male, 1.755, 84.6}), "");
   EXPECT_NE(complaint({Sex::male, 17.55, 84.6}).find("stature"), std::string::npos);
   EXPECT_NE(complaint({Sex::female, 1.60, 20.0}).find("mass"), std::string::npos);
+  EXPECT_NE(complaint({Sex::female, 1.60, 20.0}).find("expected 44 to 115 kg for a woman of 1.60 m, found 20 kg"),
+            std::string::npos);
+  // The tall need more than the short of the same mass index.
+  EXPECT_EQ(complaint({Sex::male, 1.60, 19.0 * 1.60 * 1.60}), "");
+  EXPECT_NE(complaint({Sex::male, 1.95, 19.0 * 1.95 * 1.95}).find("mass"), std::string::npos);
   EXPECT_NE(complaint({Sex::female, std::nan(""), 60.0}).find("stature"), std::string::npos);
   EXPECT_NE(complaint({Sex::female, 1.6, std::nan("")}).find("mass"), std::string::npos);
 }

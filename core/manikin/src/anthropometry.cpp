@@ -1,5 +1,8 @@
 #include "anthropometry.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "lorica/base/table.h"
 #include "tables.h"
 
@@ -19,6 +22,8 @@ struct Percentiles {
 
   double at(double score) const { return p50 + score * (score < 0.0 ? p50 - p5 : p95 - p50); }
   double scoreOf(double value) const { return (value - p50) / (value < p50 ? p50 - p5 : p95 - p50); }
+  /// The value over the nearest one within the percentiles.
+  double beyond(double value) const { return value / std::clamp(value, p5, p95); }
 };
 
 Percentiles percentilesOf(human::Sex sex, std::string_view dimension) {
@@ -36,6 +41,8 @@ Anthropometry::Anthropometry(const human::Person& person) : person_(person) {
   statureScore_ = stature.scoreOf(person.stature);
   const Percentiles build{mass.p5 / stature.p5, mass.p50 / stature.p50, mass.p95 / stature.p95};
   buildScore_ = build.scoreOf(person.mass / person.stature);
+  beyondStature_ = stature.beyond(person.stature);
+  beyondBuild_ = build.beyond(person.mass / person.stature);
 }
 
 double surveyValue(human::Sex sex, std::string_view dimension, double score) {
@@ -43,7 +50,13 @@ double surveyValue(human::Sex sex, std::string_view dimension, double score) {
 }
 
 double Anthropometry::size(std::string_view dimension, GrowsWith with) const {
-  return percentilesOf(person_.sex, dimension).at(with == GrowsWith::stature ? statureScore_ : buildScore_);
+  const Percentiles survey = percentilesOf(person_.sex, dimension);
+  if (with != GrowsWith::build) {
+    const double within = survey.at(std::clamp(statureScore_, -1.0, 1.0));
+    return with == GrowsWith::head ? within : within * beyondStature_;
+  }
+  const double alike = survey.at(std::clamp(buildScore_, -1.0, 1.0)) * std::sqrt(beyondBuild_);
+  return buildScore_ > 1.0 ? std::min(alike, survey.at(buildScore_)) : alike;
 }
 
 }  // namespace lorica::manikin

@@ -11,13 +11,16 @@ namespace lorica::manikin {
 
 /// What a dimension grows with.
 enum class GrowsWith {
-  stature,  ///< heights, lengths, the head, hands and feet
+  stature,  ///< heights, lengths, hands and feet
+  head,     ///< the head: with stature within the survey, not beyond it
   build     ///< girths, breadths and depths: mass for the stature
 };
 
 /// Sizes of one person. A dimension lies at the table's percentile that the person has in stature or in mass over
-/// stature: the 5th percentile of both has every dimension's 5th percentile, and so on, linear between 5, 50 and 95 and
-/// beyond them.
+/// stature: the 5th percentile of both has every dimension's 5th percentile, and so on, linear between 5, 50 and 95.
+/// Beyond these, where the survey says nothing, lengths go with stature, the head stays, and breadths, depths and
+/// girths with the square root of mass over stature, as a body of the same shape does; what grows more slowly up to the
+/// 95th percentile (wrist and ankle) goes on as slowly.
 class Anthropometry {
  public:
   explicit Anthropometry(const human::Person& person);
@@ -34,6 +37,8 @@ class Anthropometry {
   human::Person person_;
   double statureScore_ = 0.0;
   double buildScore_ = 0.0;
+  double beyondStature_ = 1.0;  ///< stature over that of the nearer end of the survey's percentiles; 1 within them
+  double beyondBuild_ = 1.0;    ///< the same of mass over stature
 };
 
 /// The row of anthropometryTable() that has a dimension of a sex. Throws InputError when there is none.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "body_fit.h"
@@ -12,6 +13,12 @@
 
 namespace lorica::manikin {
 
+double PersonLimits::leastBmi(human::Sex sex, double stature) const {
+  // Found by making persons: below this, lungs and liver no longer fit beside the heart.
+  const bool male = sex == human::Sex::male;
+  return 17.0 + (male ? 20.0 : 22.0) * std::max(stature - (male ? 1.75 : 1.70), 0.0);
+}
+
 void checkPerson(const human::Person& person, const PersonLimits& limits) {
   if (!(person.stature >= limits.leastStature && person.stature <= limits.greatestStature)) {
     throw base::InputError("", "stature",
@@ -20,12 +27,13 @@ void checkPerson(const human::Person& person, const PersonLimits& limits) {
   }
   const double perBmi = person.stature * person.stature;
   // A limit that was rounded once is still within.
-  const double least = limits.leastBmi * perBmi * (1.0 - 1e-12);
+  const double least = limits.leastBmi(person.sex, person.stature) * perBmi * (1.0 - 1e-12);
   const double greatest = limits.greatestBmi * perBmi * (1.0 + 1e-12);
   if (!(person.mass >= least && person.mass <= greatest)) {
     throw base::InputError("", "mass",
-                           fmt::format("expected {:.0f} to {:.0f} kg for a stature of {:.2f} m, found {:.4g} kg",
-                                       std::ceil(least), std::floor(greatest), person.stature, person.mass));
+                           fmt::format("expected {:.0f} to {:.0f} kg for a {} of {:.2f} m, found {:.4g} kg",
+                                       std::ceil(least), std::floor(greatest),
+                                       person.sex == human::Sex::male ? "man" : "woman", person.stature, person.mass));
   }
 }
 

@@ -21,6 +21,7 @@ struct Drawn {
   double height(const char* landmark) const { return sizes.size(landmark, Build::stature); }
   double girth(const char* dimension) const { return sizes.size(dimension, Build::build); }
   double length(const char* dimension) const { return sizes.size(dimension, Build::stature); }
+  double headSize(const char* dimension) const { return sizes.size(dimension, Build::head); }
 };
 
 /// The hindmost and foremost point of a belt, whose depth is the survey's.
@@ -150,17 +151,17 @@ Face faceOf(const Drawn& d) {
   face.top = d.stature();
   face.eyeY = d.joints.at[jEye].y();
   face.chinY = face.eyeY + d.tall(0.004) - d.length("mentonsellionlength");
-  const double length = kRoundHead * d.length("headlength");
+  const double length = kRoundHead * d.headSize("headlength");
   const double middle = d.joints.at[jHead].z() + d.tall(0.002);
   face.glabella = middle + 0.5 * length;
   face.occiput = middle - 0.5 * length;
-  face.half = 0.5 * kRoundHead * d.length("headbreadth");
+  face.half = 0.5 * kRoundHead * d.headSize("headbreadth");
   return face;
 }
 
 Loft drawHead(const Drawn& d) {
   const Face c = faceOf(d);
-  const double cheek = 0.5 * d.length("bizygomaticbreadth");
+  const double cheek = 0.5 * d.headSize("bizygomaticbreadth");
   const double lower = c.eyeY - c.chinY;  // eye to chin
   const double upper = c.top - c.eyeY;
   const double jaw = d.female() ? 0.90 : 1.0;
@@ -343,8 +344,10 @@ BodyField::BodyField(const Anthropometry& sizes, const BodyJoints& joints, const
   buttock_ = Vec3d(0.46 * belts.hipHalf, d.height("buttockheight") + tall(0.012), 0.50 * belts.hip.back);
   buttockAxes_ = Vec3d(0.47 * belts.hipHalf, tall(0.088), -0.50 * belts.hip.back);
   const double chestY = d.height("chestheight");
-  breast_ = Vec3d(0.50 * belts.chestHalf, chestY + tall(0.004), belts.chest.front - tall(0.062));
-  breastAxes_ = Vec3d(0.47 * belts.chestHalf, tall(0.064), tall(0.062));
+  // No flatter than it is broad on a broad chest.
+  const double bust = std::max(tall(0.062), 0.39 * belts.chestHalf);
+  breast_ = Vec3d(0.50 * belts.chestHalf, chestY + tall(0.004), belts.chest.front - bust);
+  breastAxes_ = Vec3d(0.47 * belts.chestHalf, 1.03 * bust, bust);
 
   if (!female_) {
     trunkHeaps_.push_back({{0.50 * belts.chestHalf, chestY + tall(0.018), belts.chest.front},

@@ -39,9 +39,10 @@ class Fitter {
       value *= std::clamp(more * sizes_.size(dimension, with) / read, 0.8, 1.25);
     };
     scale(fit.neck, more * neckGirth(body), "neckcircumference", With::build);
+    fit.neck = std::clamp(fit.neck, kLeastShare, kGreatestShare);
     const Vec3d brow(0.0, joints_.at[jEye].y() + 0.27 * (sizes_.person().stature - joints_.at[jEye].y()), -0.02);
     // A squarer section is longer around.
-    fit.head *= std::pow(0.985 * sizes_.size("headcircumference", With::stature) / tapeAround(trunk, brow).girth, 4.0);
+    fit.head *= std::pow(0.985 * sizes_.size("headcircumference", With::head) / tapeAround(trunk, brow).girth, 4.0);
     const Vec3d upper = joints_.at[jElbow] - joints_.at[jGlenohumeral];
     const Vec3d lower = joints_.at[jWrist] - joints_.at[jElbow];
     scale(fit.upperArm, across(arm, joints_.at[jGlenohumeral] + 0.54 * upper, upper), "bicepscircumferenceflexed",
@@ -65,8 +66,11 @@ class Fitter {
   void belt(BodyFit::Belt& belt, const TapeReading& read, const std::string& name, double more, double girth) const {
     const bool hip = name == "hip";
     belt.girth = girth;
-    belt.breadth *= more * sizes_.size(name + "breadth", With::build) / read.breadth;
-    belt.depth *= more * sizes_.size(hip ? "buttockdepth" : name + "depth", With::build) / read.depth;
+    const auto correct = [&](double& value, const std::string& dimension, double reading) {
+      value = std::clamp(value * more * sizes_.size(dimension, With::build) / reading, kLeastShare, kGreatestShare);
+    };
+    correct(belt.breadth, name + "breadth", read.breadth);
+    correct(belt.depth, hip ? "buttockdepth" : name + "depth", read.depth);
     const double wanted = girth * sizes_.size(hip ? "buttockcircumference" : name + "circumference", With::build);
     // The girth for the new breadth and depth, then the exponent that makes up for the rest.
     const double scaled = read.girth * 0.5 *
@@ -98,6 +102,9 @@ class Fitter {
     return across([&](const Vec3d& p) { return body.withoutArms(p); }, place, high - low);
   }
 
+  // A tape that meets a neighbouring part reads too much whatever is done to its own.
+  static constexpr double kLeastShare = 0.80;
+  static constexpr double kGreatestShare = 1.25;
   static constexpr double kLeast = 0.020;
   static constexpr double kFullLeeway = 0.10;
 
@@ -162,11 +169,13 @@ double volumeInside(const std::function<double(const Vec3d&)>& field, const geom
 
 geometry::Box3d bodyBox(const Anthropometry& sizes, const BodyJoints& joints) {
   const double h = sizes.person().stature;
-  const double side = joints.at[jWrist].x() + 0.75 * sizes.size("handlength", With::stature);
+  const double hand = std::max(0.75, 1.1 * joints.armDirection.x());
+  const double side = joints.at[jWrist].x() + hand * sizes.size("handlength", With::stature);
   const double depth = std::max({sizes.size("waistdepth", With::build), sizes.size("chestdepth", With::build),
                                  sizes.size("buttockdepth", With::build)});
   const double front = std::max(0.70 * depth + 0.03, 0.16 * h);
-  return {Vec3d(-side, -0.02, -0.55 * depth - 0.05), Vec3d(side, h + 0.02, front)};
+  const double back = std::max(0.55 * depth + 0.05, 0.10 * h);
+  return {Vec3d(-side, -0.02, -back), Vec3d(side, h + 0.02, front)};
 }
 
 BodyFit fitBody(const Anthropometry& sizes, const BodyJoints& joints, base::Threads threads,

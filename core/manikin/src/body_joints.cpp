@@ -78,6 +78,20 @@ const std::array<FingerShape, 5> kFingers{{{{0.12, 0.045, 0.115}, {0.225, 0.165,
                                            {{0.432, -0.01, -0.095}, {0.225, 0.140, 0.105}, -6.5, 11.0, 0.100},
                                            {{0.400, 0.005, -0.195}, {0.175, 0.105, 0.095}, -14.0, 12.0, 0.090}}};
 
+/// Angle of the arms to the trunk, radians: a gap is left between them at the height where the chest is taped.
+double abduction(const Anthropometry& sizes, const Vec3d& shoulder) {
+  const double size = sizes.person().stature / 1.755;
+  const double arm = 1.06 * sizes.size("bicepscircumferenceflexed", GrowsWith::build) / 6.2832;
+  const double trunk = 0.53 * sizes.size("chestbreadth", GrowsWith::build);
+  // Where the arm's inner side has to pass: drop below the shoulder joint, and further in by `inwards`.
+  const double drop = shoulder.y() - sizes.size("chestheight", GrowsWith::stature);
+  const double inwards = shoulder.x() - trunk - 0.022 * size;
+  const double away = std::hypot(drop, inwards);
+  const double least = base::radians(30.0);
+  const double most = base::radians(75.0);
+  return arm < away ? std::clamp(std::asin(arm / away) - std::atan2(inwards, drop), least, most) : most;
+}
+
 }  // namespace
 
 BodyJoints bodyJoints(const Anthropometry& sizes) {
@@ -98,7 +112,7 @@ BodyJoints bodyJoints(const Anthropometry& sizes) {
   at[jHead] = place("head_C0C1");
   at[jJaw] = place("jaw_TMJ");
   at[jEye] = place("eye_L");
-  at[jEye].x() = 0.5 * sizes.size("interpupillarybreadth", GrowsWith::stature);
+  at[jEye].x() = 0.5 * sizes.size("interpupillarybreadth", GrowsWith::head);
   // The middle of the eyeball; the table's depth is that of the cornea.
   at[jEye].z() -= 0.0065 * person.stature;
   at[jSternoclavicular] = place("sternoclavicular_L");
@@ -110,8 +124,9 @@ BodyJoints bodyJoints(const Anthropometry& sizes) {
   at[jGlenohumeral] = place("glenohumeral_L");
   at[jGlenohumeral].x() = 0.846 * shoulder;
 
-  joints.armDirection = Vec3d(std::sin(radians(30.0)), -std::cos(radians(30.0)), 0.0);
-  joints.palmDirection = Vec3d(-std::cos(radians(30.0)), -std::sin(radians(30.0)), 0.0);
+  const double hang = abduction(sizes, at[jGlenohumeral]);
+  joints.armDirection = Vec3d(std::sin(hang), -std::cos(hang), 0.0);
+  joints.palmDirection = Vec3d(-std::cos(hang), -std::sin(hang), 0.0);
   const Vec3d upper = place("elbow_L") - place("glenohumeral_L");
   const Vec3d lower = place("wrist_L") - place("elbow_L");
   at[jElbow] = at[jGlenohumeral] + upper.norm() * joints.armDirection + Vec3d(0.0, 0.0, upper.z());

@@ -70,8 +70,8 @@ struct Finger {
 };
 
 /// Left and middle places at rest, metres; soles at y = 0, the hip axis at z = 0. Heights and depths are shares of
-/// stature (resources/tables/joints.csv), the arms hang 30 degrees from the trunk, the feet stand apart so that the
-/// thighs do not touch.
+/// stature (resources/tables/joints.csv), the arms hang 30 degrees from the trunk, or as far as it takes to keep stout
+/// ones clear of a stout trunk below the armpit; the feet stand apart so that the thighs do not touch.
 struct BodyJoints {
   std::array<Vec3d, kLeftAndMiddle> at;
   std::array<Finger, 5> fingers;  ///< thumb first

@@ -155,7 +155,7 @@ class Measurer {
     const double eye = joint("eye_L").y();
     const double above = body_.person.stature - eye;
     add("head_girth", largestGirth({0.0, eye + 0.20 * above, 0.0}, {0.0, eye + 0.40 * above, 0.0}, Vec3d::UnitY()),
-        "headcircumference", GrowsWith::stature);
+        "headcircumference", GrowsWith::head);
     const Vec3d low = joint("spine_C7T1");
     const Vec3d neck = joint("head_C0C1") - low;
     // Under the larynx; the throat lies before the joints.

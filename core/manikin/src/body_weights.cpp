@@ -62,7 +62,7 @@ class Weigher {
       return shares;
     }
     // Where the arm begins to have a share, the trunk's has already moved up to the thorax and the collar bone.
-    constexpr double begin = 0.15;
+    constexpr double begin = 0.05;
     const double near = armShare(mirrored, trunkField - armField);
     const double arm = std::max(near - begin, 0.0) / (1.0 - begin);
     const double thorax = axilla_ - 0.03 * size_;
@@ -187,7 +187,7 @@ class Weigher {
     const auto& at = joints_.at;
     const Vec3d direction = (at[jElbow] - at[jGlenohumeral]).normalized();
     const double along = (mirrored - at[jGlenohumeral]).dot(direction);
-    return ramp(-0.12 * size_, 0.18 * size_, along) * ramp(-0.10 * size_, 0.10 * size_, nearerToArm);
+    return ramp(-0.16 * size_, 0.18 * size_, along) * ramp(-0.10 * size_, 0.10 * size_, nearerToArm);
   }
 
   /// Share of the leg: below the fold that rises from the crotch to the iliac crest. The skin between the legs belongs
@@ -216,7 +216,7 @@ namespace {
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Weights spread over this length of skin, metres for a stature of 1.755.
-constexpr double spread = 0.085;
+constexpr double spread = 0.10;
 
 /// Weights as rows of all joints, each summing to 1.
 Rows rowsOf(std::span<const human::Influence> influences, std::size_t stride) {

@@ -119,7 +119,7 @@ const std::vector<OrganRecipe>& organRecipes() {
        .cell = 0.0034,
        .edge = 0.0060,
        .depth = 0.014,
-       .gap = 0.0022,
+       .gap = 0.0030,
        .fillet = 0.008,
        .blurs = 3},
       {.name = "lung_right",
@@ -130,7 +130,7 @@ const std::vector<OrganRecipe>& organRecipes() {
        .cell = 0.0034,
        .edge = 0.0060,
        .depth = 0.014,
-       .gap = 0.0022,
+       .gap = 0.0030,
        .fillet = 0.008,
        .blurs = 3},
   };

@@ -35,8 +35,8 @@ double toTenth(double value) {
   return std::round(10.0 * value) / 10.0;
 }
 /// The lightest and the heaviest person of a stature, tenths of a kilogram.
-double leastMass(double stature) {
-  const double least = limits.leastBmi * (stature * stature);
+double leastMass(human::Sex sex, double stature) {
+  const double least = limits.leastBmi(sex, stature) * (stature * stature);
   const double tenths = std::ceil(10.0 * least);
   // A tenth is no binary fraction: what is a limit by its digits may lie just beyond it.
   return (tenths / 10.0 < least ? tenths + 1.0 : tenths) / 10.0;
@@ -198,7 +198,7 @@ QWidget* HumanDialog::makePersonForm() {
   note("stature_limits")
       ->setText(tr("%1 to %2 cm").arg(models::fixed(stature_->minimum(), 0), models::fixed(stature_->maximum(), 0)));
   mass_ = spin("mass", tr("Mass"), tr("kg"), 1.0);
-  mass_->setRange(leastMass(limits.leastStature), greatestMass(limits.greatestStature));
+  mass_->setRange(leastMass(human::Sex::male, limits.leastStature), greatestMass(limits.greatestStature));
   massLimits_ = note("mass_limits");
   bmi_ = new QLabel(group);
   bmi_->setObjectName(QStringLiteral("bmi"));
@@ -275,7 +275,8 @@ void HumanDialog::takeSizes() {
 void HumanDialog::limitMass() {
   const double stature = toMillimetre(0.01 * stature_->value());
   const QSignalBlocker quiet(mass_);
-  mass_->setRange(leastMass(stature), greatestMass(stature));
+  mass_->setRange(leastMass(male_->isChecked() ? human::Sex::male : human::Sex::female, stature),
+                  greatestMass(stature));
 }
 
 void HumanDialog::changed() {

@@ -21,12 +21,14 @@ struct Body {
   human::Skeleton skeleton;     ///< rest frames are translations only; names as in the joint table, sided ones _L, _R
 };
 
-/// Sizes a body can be made for: the middle 98 % of adults and some more.
+/// Sizes a body can be made for: the middle 99.8 % of adults and some more.
 struct PersonLimits {
   double leastStature = 1.40;  ///< m
   double greatestStature = 2.10;
-  double leastBmi = 16.0;  ///< kg/m2
-  double greatestBmi = 45.0;
+  double greatestBmi = 45.0;  ///< kg/m2
+
+  /// 17 kg/m2, and more for the tall: lungs grow faster with stature than the trunk of a slim person.
+  double leastBmi(human::Sex sex, double stature) const;
 };
 
 /// Throws InputError with one sentence when no body can be made for the person.
