@@ -56,6 +56,13 @@ class PlateTable : public testing::Test {
   }
 };
 
+/// The plate bent about one axis only.
+PlateSpec singleCurve() {
+  PlateSpec spec = mediumSapi();
+  spec.verticalCurvature = 0.0;
+  return spec;
+}
+
 constexpr const char* kAnyPlate = "SAPI/ESAPI front or rear plate";
 
 TEST_F(PlateTable, HoldsTheNumbersOfTheMediumPlate) {
@@ -64,7 +71,10 @@ TEST_F(PlateTable, HoldsTheNumbersOfTheMediumPlate) {
   EXPECT_DOUBLE_EQ(spec.height, number(kAnyPlate, "M", "height", "mm") / 1000.0);
   EXPECT_DOUBLE_EQ(spec.thickness, number("SAPI plate", "all", "thickness", "mm") / 1000.0);
   EXPECT_DOUBLE_EQ(spec.mass, number("SAPI plate", "M", "mass", "kg"));
-  EXPECT_DOUBLE_EQ(spec.curvatureRadius, number("SAPI/ESAPI plate", "all", "curvature radius", "mm") / 1000.0);
+  EXPECT_DOUBLE_EQ(spec.curvatureRadius,
+                   number("SAPI/ESAPI plate", "all", "curvature radius horizontal", "mm") / 1000.0);
+  EXPECT_DOUBLE_EQ(1.0 / spec.verticalCurvature,
+                   number("SAPI/ESAPI plate", "all", "curvature radius vertical", "mm") / 1000.0);
 }
 
 TEST_F(PlateTable, SaysThatMassAndThicknessAreFromMemoryAndSoDoesTheSpec) {
@@ -130,7 +140,7 @@ TEST(Plate, HasTheWidthHeightAndTopEdgeOfItsSpecAboutItsOrigin) {
 }
 
 TEST(Plate, SeenFromTheFrontCoversTheFrontalArea) {
-  const PlateSpec spec = mediumSapi();
+  const PlateSpec spec = singleCurve();
   const geometry::TriangleMesh mesh = plate(spec);
   double seen = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -142,7 +152,7 @@ TEST(Plate, SeenFromTheFrontCoversTheFrontalArea) {
 
 TEST(Plate, HasTheVolumeOfABentSlab) {
   // Sum over heights of the ring sector between the two radii, by Simpson's rule on the trapezoid above the corners.
-  const PlateSpec spec = mediumSapi();
+  const PlateSpec spec = singleCurve();
   const double r = spec.curvatureRadius;
   const auto section = [&](double width) {
     return std::asin(0.5 * width / r) * (r * r - (r - spec.thickness) * (r - spec.thickness));
@@ -155,7 +165,7 @@ TEST(Plate, HasTheVolumeOfABentSlab) {
 }
 
 TEST(Plate, FrontFaceIsConvexTowardsPlusZWithTheSpecsRadius) {
-  const PlateSpec spec = mediumSapi();
+  const PlateSpec spec = singleCurve();
   const geometry::TriangleMesh mesh = plate(spec);
   const auto box = geometry::bounds(mesh.positions);
   const double axis = box.max().z() - spec.curvatureRadius;
@@ -165,6 +175,25 @@ TEST(Plate, FrontFaceIsConvexTowardsPlusZWithTheSpecsRadius) {
     const bool front = std::abs(radius - spec.curvatureRadius) < 1e-6;
     const bool back = std::abs(radius - spec.curvatureRadius + spec.thickness) < 1e-6;
     ASSERT_TRUE(front || back);
+    onFront += front ? 1 : 0;
+  }
+  EXPECT_EQ(2 * onFront, mesh.positions.size());
+}
+
+TEST(Plate, BentBothWaysHasItsRadiiOnItsMiddleLinesAndItsThicknessEverywhere) {
+  const PlateSpec spec = mediumSapi();
+  ASSERT_GT(spec.verticalCurvature, 0.0);
+  const geometry::TriangleMesh mesh = plate(spec);
+  const double foremost = geometry::bounds(mesh.positions).max().z();
+  const double axis = foremost - 1.0 / spec.verticalCurvature;
+  // A torus: the points of a face are equally far from the circle that the middles of its horizontal arcs run on.
+  const double ring = 1.0 / spec.verticalCurvature - spec.curvatureRadius;
+  std::size_t onFront = 0;
+  for (const auto& p : mesh.positions) {
+    const double around = std::hypot(static_cast<double>(p.y()), static_cast<double>(p.z()) - axis);
+    const double radius = std::hypot(static_cast<double>(p.x()), around - ring);
+    const bool front = std::abs(radius - spec.curvatureRadius) < 1e-6;
+    ASSERT_TRUE(front || std::abs(radius - spec.curvatureRadius + spec.thickness) < 1e-6);
     onFront += front ? 1 : 0;
   }
   EXPECT_EQ(2 * onFront, mesh.positions.size());
@@ -215,7 +244,7 @@ TEST(PlateCover, IsAShellAroundThePlateThatLeavesItFree) {
 }
 
 TEST(BoxOnPlate, LiesOnTheFrontFaceAndIsBentWithIt) {
-  const PlateSpec spec = mediumSapi();
+  const PlateSpec spec = singleCurve();
   const geometry::TriangleMesh box = boxOnPlate(spec, -0.04, 0.03, 0.02, 0.145, 0.004, 0.034);
   expectSound(box);
   EXPECT_TRUE(geometry::intersections(box, plate(spec), base::Threads{2}).empty());

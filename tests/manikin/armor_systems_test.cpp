@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -17,11 +15,7 @@
 #include "lorica/geometry/intersections.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/mesh_audit.h"
-#include "lorica/human/joint_roles.h"
 #include "lorica/manikin/human.h"
-#include "lorica/manikin/task_clips.h"
-#include "lorica/parenting/body_rig.h"
-#include "lorica/raycast/caster.h"
 
 namespace lorica::manikin {
 namespace {
@@ -410,138 +404,6 @@ TEST(ArmorInMotion, CarriesAPlateItsBagAndItsPouchesAsOne) {
   }
   EXPECT_EQ(pieceOf(man(), "plate_carrier", "bag_back").carriedAt,
             pieceOf(man(), "plate_carrier", "plate_back").carriedAt);
-}
-
-/// What a motion does to a piece, over its inner face; distances from the posed skin, m, negative inside.
-struct Strain {
-  double least = 1.0;  ///< outside folds
-  double greatest = -1.0;
-  double entered = 0.0;  ///< largest share of vertices nearer than 1 mm or inside, outside folds
-  double folded = 0.0;   ///< largest share of vertices nearer than 1 mm to skin of elsewhere, or inside it
-  double deepest = 1.0;  ///< folds included
-};
-
-/// The skin in a pose, for distances.
-class PosedSkin {
- public:
-  PosedSkin(const parenting::BodyRig& rig, const geometry::Positions& posed)
-      : rest_(rig.body().skin), posed_{posed, rest_.triangles}, tree_(posed_), scene_(raycast::SceneUse::manyRays) {
-    mesh_ = scene_.add(posed_.positions, rig.skinTopology());
-    scene_.build();
-  }
-
-  struct Reading {
-    double distance = 0.0;
-    bool elsewhere = false;  ///< the nearest skin lies more than 3 cm away at rest: a fold, or an arm
-  };
-  /// \param atRest the same point of the armor at rest
-  Reading read(const Vec3d& p, const Vec3d& atRest, raycast::Caster& caster) const {
-    const geometry::ClosestPoint near = *tree_.closest(p);
-    const bool behind = near.pseudoNormal.dot(p - near.point) < 0.0;
-    // Where the posed skin folds through itself its nearest triangle may face the wrong way.
-    const bool inside = behind && raycast::windingNumber(caster, mesh_, p) > 0;
-    const Vec3d there = near.barycentric[0] * rest_.corner(near.triangle, 0) +
-                        near.barycentric[1] * rest_.corner(near.triangle, 1) +
-                        near.barycentric[2] * rest_.corner(near.triangle, 2);
-    return {inside ? -near.distance : near.distance, (there - atRest).norm() > 0.03};
-  }
-  raycast::Caster caster() const { return raycast::Caster(scene_); }
-
- private:
-  const TriangleMesh& rest_;
-  TriangleMesh posed_;
-  ClosestPointTree tree_;
-  raycast::Scene scene_;
-  raycast::MeshIndex mesh_;
-};
-
-void measure(const ArmorPiece& piece, const geometry::Positions& moved, const PosedSkin& skin, Strain& strain) {
-  const std::size_t count = soft(piece) ? moved.size() / 2 : moved.size();
-  std::vector<PosedSkin::Reading> readings(count);
-  base::parallelFor(count, 512, kTwo, [&](std::size_t begin, std::size_t end) {
-    raycast::Caster caster = skin.caster();
-    for (std::size_t v = begin; v < end; ++v) {
-      readings[v] = skin.read(moved[v].cast<double>(), piece.mesh.positions[v].cast<double>(), caster);
-    }
-  });
-  double entered = 0.0;
-  double folded = 0.0;
-  for (const PosedSkin::Reading& reading : readings) {
-    const double close = reading.distance < 0.001 ? 1.0 / static_cast<double>(count) : 0.0;
-    (reading.elsewhere ? folded : entered) += close;
-    strain.least = reading.elsewhere ? strain.least : std::min(strain.least, reading.distance);
-    strain.greatest = std::max(strain.greatest, reading.distance);
-    strain.deepest = std::min(strain.deepest, reading.distance);
-  }
-  strain.entered = std::max(strain.entered, entered);
-  strain.folded = std::max(strain.folded, folded);
-}
-
-/// Least and share of a soft piece that may come near the skin outside folds, and within them.
-struct Allowance {
-  double least = 0.0;
-  double entered = 0.0;
-  double folded = 0.0;
-};
-
-/// Measures every piece through the clips, prints what it found and holds the soft ones against what they may do.
-/// \param overCrease for pieces over the creases of hip and armpit, which fold beneath them
-void expectOnSkin(const Dressed& who, const std::vector<human::Clip>& clips, int frames, const Allowance& elsewhere,
-                  const Allowance& overCrease) {
-  const Body& body = who.body;
-  const parenting::BodyRig rig(
-      {body.skin, body.skeleton, body.weights, human::bodyRegions(body.skin, body.weights, body.skeleton)}, {}, kTwo);
-  std::vector<std::pair<const ArmorPiece*, armor::PieceRig>> pieces;
-  for (const std::string system : {"full_torso_helmet", "plate_carrier"}) {
-    for (const ArmorPiece& piece : systemOf(who, system).pieces) {
-      pieces.emplace_back(
-          &piece, armor::bindPiece(piece.mesh, piece.name, piece.carriage, rig, soft(piece) ? &*piece.weights : nullptr,
-                                   soft(piece) ? &body.skeleton : nullptr, kTwo, piece.carriedAt));
-    }
-  }
-  std::printf("%-14s %-17s %8s %8s %11s %11s %8s\n", "clip", "piece", "least", "most", "near skin", "in folds",
-              "deepest");
-  std::printf("%-14s %-17s %8s %8s %11s %11s %8s\n", "", "", "mm", "mm", "% < 1 mm", "% < 1 mm", "mm");
-  for (const human::Clip& clip : clips) {
-    std::vector<Strain> strains(pieces.size());
-    for (int frame = 1; frame < frames; ++frame) {
-      const human::Pose pose = human::sample(clip, body.skeleton, clip.duration() * frame / frames);
-      const parenting::PosedBody posed = rig.pose(pose, kTwo);
-      const auto deltas = armor::pieceDeltas(rig, pose);
-      const PosedSkin skin(rig, posed.skin);
-      for (std::size_t p = 0; p < pieces.size(); ++p) {
-        geometry::Positions moved(pieces[p].first->mesh.positions.size());
-        armor::posePiece(pieces[p].second, posed, deltas, moved, kTwo);
-        measure(*pieces[p].first, moved, skin, strains[p]);
-      }
-    }
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-      const ArmorPiece& piece = *pieces[p].first;
-      const Strain& strain = strains[p];
-      std::printf("%-14s %-17s %8.1f %8.1f %11.1f %11.1f %8.1f\n", clip.name.c_str(), piece.name.c_str(),
-                  1e3 * strain.least, 1e3 * strain.greatest, 100.0 * strain.entered, 100.0 * strain.folded,
-                  1e3 * strain.deepest);
-      if (!soft(piece)) {
-        continue;
-      }
-      const bool creased = piece.name == "groin" || piece.name.starts_with("shoulder");
-      const Allowance& allowed = creased ? overCrease : elsewhere;
-      EXPECT_LT(strain.greatest, 0.030) << clip.name << " " << piece.name;
-      EXPECT_GT(strain.least, allowed.least) << clip.name << " " << piece.name;
-      EXPECT_LE(strain.entered, allowed.entered) << clip.name << " " << piece.name;
-      EXPECT_LE(strain.folded, allowed.folded) << clip.name << " " << piece.name;
-    }
-  }
-}
-
-TEST(ArmorInMotion, StaysOnTheBuiltInHumanThroughEveryTask) {
-  const Dressed& who = man();
-  const std::vector<human::Clip> clips =
-      taskClips(who.body.skeleton, human::findRoles(who.body.skeleton), measuredOn(who.body));
-  ASSERT_EQ(clips.size(), 9U);
-  // The belly folds under a vest's hem; lowered and crossed arms press into its sides, its front and, by a vertex or
-  // two beside the armpit, its back.
-  expectOnSkin(who, clips, 4, {-0.020, 0.03, 0.40}, {-0.012, 0.2, 0.2});
 }
 
 }  // namespace

@@ -338,7 +338,7 @@ LoadedPiece loadPiece(Loading& loading, const study::ArmorPiece& piece, const st
     loaded.rig = armor::bindPiece(std::move(mesh), piece.name, piece.carriage, *loading.result.body,
                                   weighted ? &*made->weights : nullptr,
                                   weighted ? &builtinHuman(loading, {}).body.skeleton : nullptr, loading.threads,
-                                  made == nullptr ? std::nullopt : made->carriedAt);
+                                  made == nullptr ? std::nullopt : made->carriedAt, armor::SoftFit::heldOff);
     return loaded;
   }
   const InputFile& input = std::get<InputFile>(piece.mesh.from);

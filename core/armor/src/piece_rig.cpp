@@ -98,18 +98,120 @@ std::vector<Vec3f> centresAt(std::span<const SkinPlace> places, std::span<const 
   return centres;
 }
 
-void bindSoft(PieceRig& piece, const std::string& name, const parenting::BodyRig& body,
-              const human::SkinWeights* ownWeights, const human::Skeleton* ownSkeleton, base::Threads threads) {
-  if (!body.body().skeleton) {
+/// How far two sets of weights agree: 1 when they are the same, 0 when they have no joint in common.
+double agreement(const human::SkinWeights& weights, std::size_t vertex, const human::SkinWeights& skin,
+                 const SkinPlace& place) {
+  double shared = 0.0;
+  for (const SkinCorner& corner : place) {
+    for (std::size_t k = 0; k < skin.influences; ++k) {
+      for (std::size_t o = 0; o < weights.influences; ++o) {
+        const std::size_t theirs = corner.vertex * skin.influences + k;
+        const std::size_t mine = vertex * weights.influences + o;
+        if (weights.joints[mine] == skin.joints[theirs]) {
+          shared += corner.share * static_cast<double>(std::min(weights.weights[mine], skin.weights[theirs]));
+        }
+      }
+    }
+  }
+  return shared;
+}
+
+/// A way off the skin.
+struct Lift {
+  float height = 0.0F;  ///< of the vertex over the plane of the triangle under it, m
+  Vec3f normal = Vec3f::Zero();
+};
+
+Lift liftOver(const SkinFoot& foot, const Vec3f& p, std::span<const Vec3f> skin) {
+  const Vec3f& a = skin[foot.corners[0]];
+  const Vec3f normal = (skin[foot.corners[1]] - a).cross(skin[foot.corners[2]] - a).normalized();
+  return {normal.dot(p - a), normal};
+}
+
+// Nothing is lower: such a vertex is never lifted.
+constexpr float kAnyHeight = -1e6F;
+
+/// The triangle under each vertex. Across the fold of an armpit the nearest skin may be the arm's, which does not carry
+/// a vest: where the skin moves with other joints than the vertex there is nothing to be held off from.
+std::vector<SkinFoot> feetOf(std::span<const SkinPlace> places, std::span<const Vec3f> positions,
+                             const human::SkinWeights& weights, const parenting::BodyRig& body) {
+  constexpr double together = 0.5;
+  constexpr float pressed = 0.3F;        // share of the height at rest
+  constexpr float pressedMost = 0.002F;  // m
+  std::vector<SkinFoot> feet(places.size());
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    SkinFoot& foot = feet[v];
+    foot.corners = {places[v][0].vertex, places[v][1].vertex, places[v][2].vertex};
+    const float height = liftOver(foot, positions[v], body.body().skin.positions).height;
+    const bool carried = agreement(weights, v, *body.body().weights, places[v]) > together;
+    foot.least = carried && height > 0.0F ? height - std::min(pressed * height, pressedMost) : kAnyHeight;
+  }
+  return feet;
+}
+
+// What has sunk further than this has not been pressed: the skin has folded beneath it, and the further the less its
+// triangles say where outside is.
+constexpr float kSunk = 0.006F;  // m
+
+/// What takes each vertex as far off the skin as its foot says.
+std::vector<Vec3f> neededLifts(const PieceRig& piece, std::span<const Vec3f> skin, std::span<const Vec3f> posed,
+                               base::Threads threads) {
+  std::vector<Vec3f> lifts(posed.size(), Vec3f::Zero());
+  base::parallelFor(posed.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const SkinFoot& foot = piece.feet[v];
+      const Lift lift = liftOver(foot, posed[v], skin);
+      const float missing = foot.least - lift.height;
+      if (missing > 0.0F && missing < 2.0F * kSunk) {
+        lifts[v] = std::min(missing, 2.0F * kSunk - missing) * lift.normal;
+      }
+    }
+  });
+  return lifts;
+}
+
+/// Spreads the lifts over what surrounds them; each stays as long as it was along its own way.
+void spread(const geometry::SurfaceNeighbours& around, std::vector<Vec3f>& lifts) {
+  const std::vector<Vec3f> needed = lifts;
+  std::vector<Vec3f> smoother(lifts.size());
+  for (int round = 0; round < 3; ++round) {
+    for (std::size_t v = 0; v < lifts.size(); ++v) {
+      Vec3f mean = Vec3f::Zero();
+      for (std::size_t e = around.first[v]; e < around.first[v + 1]; ++e) {
+        mean += static_cast<float>(around.share[e]) * lifts[around.vertex[e]];
+      }
+      smoother[v] = 0.5F * (lifts[v] + mean);
+      const float squared = needed[v].squaredNorm();
+      const float reached = smoother[v].dot(needed[v]);
+      if (reached < squared) {
+        smoother[v] += (1.0F - reached / squared) * needed[v];
+      }
+    }
+    lifts.swap(smoother);
+  }
+}
+
+/// Lifts what lies too near to the skin under it.
+void holdOff(const PieceRig& piece, std::span<const Vec3f> skin, std::span<Vec3f> posed, base::Threads threads) {
+  std::vector<Vec3f> lifts = neededLifts(piece, skin, posed, threads);
+  if (std::all_of(lifts.begin(), lifts.end(), [](const Vec3f& lift) { return lift.isZero(0.0F); })) {
     return;
   }
-  const std::vector<SkinPlace> places = nearestSkin(piece.rest.positions, body, threads);
-  piece.centres = centresAt(places, piece.rest.positions, body);
+  spread(piece.around, lifts);
+  for (std::size_t v = 0; v < posed.size(); ++v) {
+    posed[v] += lifts[v];
+  }
+}
+
+/// The weights a soft piece is carried by; true when they are its own.
+bool takeWeights(PieceRig& piece, const std::string& name, const parenting::BodyRig& body,
+                 std::span<const SkinPlace> places, const human::SkinWeights* ownWeights,
+                 const human::Skeleton* ownSkeleton) {
   if (ownWeights != nullptr && ownSkeleton != nullptr) {
     std::string missing;
     piece.weights = renamed(*ownWeights, *ownSkeleton, *body.body().skeleton, missing);
     if (piece.weights) {
-      return;
+      return true;
     }
     piece.issues.push_back({base::Severity::note, "", name,
                             fmt::format("is skinned to a joint \"{}\" that the body does not have; it takes the "
@@ -117,6 +219,22 @@ void bindSoft(PieceRig& piece, const std::string& name, const parenting::BodyRig
                                         missing)});
   }
   piece.weights = weightsAt(places, *body.body().weights);
+  return false;
+}
+
+void bindSoft(PieceRig& piece, const std::string& name, const parenting::BodyRig& body,
+              const human::SkinWeights* ownWeights, const human::Skeleton* ownSkeleton, SoftFit fit,
+              base::Threads threads) {
+  if (!body.body().skeleton) {
+    return;
+  }
+  const std::vector<SkinPlace> places = nearestSkin(piece.rest.positions, body, threads);
+  piece.centres = centresAt(places, piece.rest.positions, body);
+  const bool own = takeWeights(piece, name, body, places, ownWeights, ownSkeleton);
+  if (!own || fit == SoftFit::heldOff) {
+    piece.feet = feetOf(places, piece.rest.positions, *piece.weights, body);
+    piece.around = geometry::surfaceNeighbours(piece.rest);
+  }
 }
 
 }  // namespace
@@ -124,13 +242,13 @@ void bindSoft(PieceRig& piece, const std::string& name, const parenting::BodyRig
 PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriage carriage,
                    const parenting::BodyRig& body, const human::SkinWeights* ownWeights,
                    const human::Skeleton* ownSkeleton, base::Threads threads,
-                   const std::optional<geometry::Vec3d>& carriedAt) {
+                   const std::optional<geometry::Vec3d>& carriedAt, SoftFit fit) {
   LORICA_CHECK(!rest.positions.empty(), "a piece with vertices");
   PieceRig piece;
   piece.rest = std::move(rest);
   piece.carriage = carriage;
   if (carriage == Carriage::skinned) {
-    bindSoft(piece, name, body, ownWeights, ownSkeleton, threads);
+    bindSoft(piece, name, body, ownWeights, ownSkeleton, fit, threads);
     return piece;
   }
   if (body.sites().empty()) {
@@ -155,6 +273,9 @@ void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, const hu
   LORICA_CHECK(posed.size() == piece.rest.positions.size(), "one place per vertex");
   if (piece.carriage == Carriage::skinned && piece.weights) {
     human::skin(piece.rest.positions, *piece.weights, piece.centres, deltas, posed, threads);
+    if (!piece.feet.empty()) {
+      holdOff(piece, pose.skin, posed, threads);
+    }
     return;
   }
   const bool carried = piece.carriage == Carriage::rigid && piece.hasSite;

@@ -209,7 +209,7 @@ struct Faces {
 struct Fit {
   geometry::Quatd pitch = geometry::Quatd::Identity();
   Vec3d shift = Vec3d::Zero();
-  double largestGap = std::numeric_limits<double>::infinity();  ///< behind the back face, over the grown skin
+  double meanGap = std::numeric_limits<double>::infinity();  ///< behind the back face, over the grown skin
 };
 
 /// The plate pitched by an angle, its top edge at `top`, pushed forward until it only touches the grown skin.
@@ -223,30 +223,33 @@ Fit touch(const Faces& faces, const DepthMap& map, double degrees, double middle
     }
   }
   fit.shift = {middle, top - highest, kNothing};
-  double furthest = kNothing;
+  double sum = 0.0;
+  int over = 0;  // samples of the back face that have skin before them
   for (const auto* face : {&faces.front, &faces.back}) {
     for (const Vec3d& sample : *face) {
       const Vec3d p = fit.pitch * sample;
       const double skin = map.at(p.x() + fit.shift.x(), p.y() + fit.shift.y());
       if (skin > kNothing) {
         fit.shift.z() = std::max(fit.shift.z(), skin - p.z());
-        furthest = face == &faces.back ? std::max(furthest, p.z() - skin) : furthest;
+        sum += face == &faces.back ? p.z() - skin : 0.0;
+        over += face == &faces.back ? 1 : 0;
       }
     }
   }
-  if (furthest > kNothing) {
-    fit.largestGap = fit.shift.z() + furthest;
+  if (over > 0) {
+    fit.meanGap = fit.shift.z() + sum / over;
   }
   return fit;
 }
 
-/// Of all pitches the one whose largest gap is smallest: the plate hugs the chest as evenly as its shape allows.
+/// Of all pitches the one whose mean gap is smallest. The largest says little: it lies at a corner, where every trunk
+/// curves away from a plate.
 Fit bestFit(const Faces& faces, const DepthMap& map, double middle, double top) {
   Fit best = touch(faces, map, 0.0, middle, top);
   for (int half = 1; half <= 60; ++half) {
     for (const double degrees : {0.5 * half, -0.5 * half}) {
       const Fit fit = touch(faces, map, degrees, middle, top);
-      best = fit.largestGap < best.largestGap ? fit : best;
+      best = fit.meanGap < best.meanGap ? fit : best;
     }
   }
   return best;
@@ -296,7 +299,7 @@ PlacedPlate placePlate(const geometry::TriangleMesh& skin, const human::Skeleton
                               Vec3d(middle + 0.5 * spec.width + reach, top + reach, 0.0));
   const DepthMap map(points, skin.triangles, under, placement.clearance);
   Fit best = bestFit({faceSamples(spec, 0.0), faceSamples(spec, 1.0)}, map, middle, top);
-  if (!std::isfinite(best.largestGap)) {
+  if (!std::isfinite(best.meanGap)) {
     placed.issues.push_back({base::Severity::warning, "", "plate",
                              "there is no skin where the plate belongs: it is placed before the body's box"});
     const double foremost = std::max((turn * box.min()).z(), (turn * box.max()).z());

@@ -19,10 +19,11 @@ PlateSpec mediumSapi() {
   spec.topWidth = 0.60 * spec.width;
   spec.cornerHeight = 0.050;
   spec.curvatureRadius = 0.400;
+  spec.verticalCurvature = 1.0 / 1.000;
   spec.mass = 1.81;
   spec.source =
       "SAPI plate, size M: width and height from a published sizing guide; thickness, corner cut, curvature and mass "
-      "from memory, unverified (resources/tables/plates.csv)";
+      "from memory, unverified; bend in profile assumed (resources/tables/plates.csv)";
   return spec;
 }
 
@@ -74,6 +75,8 @@ TriangleMesh plate(const PlateSpec& spec) {
                "the cut corners lie within the plate");
   LORICA_CHECK(spec.width < spec.curvatureRadius && 2.0 * spec.thickness < spec.curvatureRadius,
                "the plate is bent less than a half pipe");
+  LORICA_CHECK(spec.verticalCurvature >= 0.0 && spec.verticalCurvature * spec.height < 1.0,
+               "the plate is bent outward and less than a half pipe");
   const std::vector<double> heights = rowHeights(spec);
   const auto rows = static_cast<std::uint32_t>(heights.size());
   const auto columns = static_cast<std::uint32_t>(2 * steps(0.5 * spec.width) + 1);
@@ -111,10 +114,9 @@ namespace {
 
 /// A point in the frame of platePoint(), by its way along the front face and its distance from that face.
 geometry::Vec3d pointOverFace(const PlateSpec& spec, double across, double height, double off) {
-  const double radius = spec.curvatureRadius + off;
-  const double angle = across / spec.curvatureRadius;
-  const double front = platePoint(spec, 0.0, 0.5 * spec.height, 0.0).z() - spec.curvatureRadius;
-  return {radius * std::sin(angle), height - 0.5 * spec.height, front + radius * std::cos(angle)};
+  geometry::Vec3d p = bentPoint(spec, across / spec.curvatureRadius, height - 0.5 * spec.height, off);
+  p.z() -= boxMiddle(spec);
+  return p;
 }
 
 /// Half the arc of the front face, `margin` metres beyond the plate, at a height from -margin to height + margin.

@@ -55,6 +55,7 @@ armor::PlateSpec sapi(const std::string& size) {
   const Entry top = entry("SAPI/ESAPI plate", "all", "top edge of width");
   const Entry cut = entry("SAPI/ESAPI plate", "all", "corner cut height");
   const Entry radius = entry("SAPI/ESAPI plate", "all", "curvature radius horizontal");
+  const Entry profile = entry("SAPI/ESAPI plate", "all", "curvature radius vertical");
   const Entry mass = entry("SAPI plate", size, "mass");
   armor::PlateSpec spec;
   spec.width = kMillimetre * width.value;
@@ -63,9 +64,10 @@ armor::PlateSpec sapi(const std::string& size) {
   spec.topWidth = 0.01 * top.value * spec.width;
   spec.cornerHeight = kMillimetre * cut.value;
   spec.curvatureRadius = kMillimetre * radius.value;
+  spec.verticalCurvature = 1.0 / (kMillimetre * profile.value);
   spec.mass = mass.value;
-  spec.source = fmt::format("SAPI plate, size {}; {}; {}; {}; {}; {}; {}", size, width.origin, height.origin,
-                            thickness.origin, cut.origin, radius.origin, mass.origin);
+  spec.source = fmt::format("SAPI plate, size {}; {}; {}; {}; {}; {}; {}; {}", size, width.origin, height.origin,
+                            thickness.origin, cut.origin, radius.origin, profile.origin, mass.origin);
   return spec;
 }
 

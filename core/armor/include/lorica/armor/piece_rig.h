@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "lorica/geometry/smoothing.h"
 #include "lorica/parenting/body_rig.h"
 
 namespace lorica::armor {
@@ -14,6 +15,18 @@ namespace lorica::armor {
 enum class Carriage {
   rigid,   ///< plates, helmets: by the nearest interior site, the offset turning with its frame
   skinned  ///< soft armor: by skin weights, its own or those of the nearest skin
+};
+
+/// Where soft armor with weights of its own lies in a pose.
+enum class SoftFit {
+  asWeighted,  ///< where its weights take it
+  heldOff      ///< held off the skin under it too, as posePiece() says
+};
+
+/// The triangle of the skin that a vertex of a soft piece lies over at rest.
+struct SkinFoot {
+  geometry::Triangle corners{};  ///< vertices of the skin
+  float least = 0.0F;            ///< m, over the triangle's plane in a pose
 };
 
 /// Immutable.
@@ -24,6 +37,8 @@ struct PieceRig {
   bool hasSite = false;                       ///< false when the body has no site: the piece stays
   std::optional<human::SkinWeights> weights;  ///< for skinned pieces
   std::vector<geometry::Vec3f> centres;       ///< of human::skin(), those of the nearest skin; none when it has none
+  std::vector<SkinFoot> feet;                 ///< one per vertex of a piece that is held off the skin; else none
+  geometry::SurfaceNeighbours around;         ///< of the vertices of such a piece
   base::Issues issues;
 };
 
@@ -32,16 +47,20 @@ struct PieceRig {
 ///        the body (matched by name), else the nearest skin's weights are taken and an issue says so
 /// \param carriedAt the point whose nearest site carries a rigid piece, the same for pieces that move as one; the
 ///        piece's centroid where none is given
+/// \param fit of a piece with weights of its own; one that takes the skin's is held off
 /// \pre rest is not empty
 PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriage carriage,
                    const parenting::BodyRig& body, const human::SkinWeights* ownWeights,
                    const human::Skeleton* ownSkeleton, base::Threads threads,
-                   const std::optional<geometry::Vec3d>& carriedAt = std::nullopt);
+                   const std::optional<geometry::Vec3d>& carriedAt = std::nullopt, SoftFit fit = SoftFit::asWeighted);
 
 /// What a pose gives soft pieces; the same for all of them.
 human::SkinningDeltas pieceDeltas(const parenting::BodyRig& body, const std::optional<human::Pose>& pose);
 
-/// The piece's vertices in a pose; at rest every vertex keeps its bits.
+/// The piece's vertices in a pose; at rest every vertex keeps its bits. A soft piece goes where its weights take it.
+/// Where that is nearer to the skin than its fabric lets itself be pressed, by three tenths of its height at rest or
+/// 2 mm, it is lifted off the triangle of the skin it lies over at rest, its surroundings along with it. Skin of
+/// elsewhere, a lowered arm, does not push it.
 /// \param deltas of pieceDeltas() for the same pose
 void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, const human::SkinningDeltas& deltas,
                std::span<geometry::Vec3f> posed, base::Threads threads);

@@ -13,14 +13,16 @@
 
 namespace lorica::armor {
 
-/// A plate bent about a vertical axis, its upper corners cut off. Metres and kilograms.
+/// A plate bent about a vertical axis and, where it is a multi-curve plate, about a horizontal one too, its upper
+/// corners cut off. Metres and kilograms.
 struct PlateSpec {
-  double width = 0.0;  ///< chord, side to side
-  double height = 0.0;
+  double width = 0.0;   ///< chord, side to side
+  double height = 0.0;  ///< chord, bottom to top
   double thickness = 0.0;
-  double topWidth = 0.0;         ///< chord of the top edge, between the cut corners; at most `width`
-  double cornerHeight = 0.0;     ///< how far down the cut corners reach; below `height`
-  double curvatureRadius = 0.0;  ///< of the front face, in the horizontal plane
+  double topWidth = 0.0;           ///< chord of the top edge, between the cut corners; at most `width`
+  double cornerHeight = 0.0;       ///< how far down the cut corners reach; below `height`
+  double curvatureRadius = 0.0;    ///< of the front face, in the horizontal plane
+  double verticalCurvature = 0.0;  ///< of the front face's middle line, 1/m; 0 when it is straight
   double mass = 0.0;
   std::string source;  ///< where the numbers come from and how far they are verified
 };
@@ -33,7 +35,8 @@ double frontalArea(const PlateSpec& spec);
 
 /// Closed outward mesh of about 2,000 even triangles in the plate's own frame: centre of its box at the origin, y up,
 /// the convex front face towards +z.
-/// \pre the lengths are positive, 2 * thickness < curvatureRadius and width < curvatureRadius
+/// \pre the lengths are positive, 2 * thickness < curvatureRadius, width < curvatureRadius, the vertical curvature is
+///      not negative and less than 1 / height
 geometry::TriangleMesh plate(const PlateSpec& spec);
 
 /// A cover over a plate's front face and edges, open behind, as a plate's bag shows it: a closed outward shell in the
@@ -71,7 +74,7 @@ struct PlatePlacement {
 /// are in the way: hand in a skin without them. The top edge lies below the suprasternal notch, whose height comes from
 /// a collar-bone or neck joint where one with a known name is plausible (0.78 to 0.86 of stature), else from the mean
 /// share of stature in ANSUR II. Sideways it is centred on the trunk's sections. It keeps `clearance` everywhere and is
-/// pitched so that its largest gap is smallest.
+/// pitched so that the mean gap behind it is smallest. Its corners stand off far: a trunk is bent more than a plate.
 /// Every skin gets a plate; one the rules do not fit gets a warning with it.
 /// \param skeleton of the body, or null
 /// \pre the skin has triangles; what `plate` asks of the spec
