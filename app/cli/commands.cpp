@@ -132,6 +132,7 @@ int runBenchmarks(const fs::path& json) {
   document["threads"] = report.threads;
   document["lorica_version"] = study::version();
   for (const auto& [name, value] : report.rates) {
+    fmt::print("{:<40} {:>14.1f}\n", name, value);
     document["rates"][name] = value;
   }
   fmt::print("scene of {} triangles, {} rays, {} threads; each ratio is the median of interleaved runs\n",

@@ -102,15 +102,14 @@ void addPose(Bars& bars, const LoadedStudy& study, const std::string& pose, cons
 /// Largest move of an organ's vertex between two times of a clip, metres.
 class Mover {
  public:
-  Mover(const LoadedStudy& study, OrganModel model) : study_(study), model_(model) {}
+  Mover(const LoadedStudy& study, OrganModel model)
+      : study_(study), scene_(study, {model}, std::nullopt, raycast::SceneUse::manyFrames, {}) {}
 
-  std::vector<geometry::Positions> at(const human::Clip& clip, double seconds) const {
-    const human::Pose pose = human::sample(clip, *study_.body->body().skeleton, seconds);
-    const parenting::PosedBody body = study_.body->pose(pose, {});
+  std::vector<geometry::Positions> at(const human::Clip& clip, double seconds) {
+    scene_.move(human::sample(clip, *study_.body->body().skeleton, seconds), {});
     std::vector<geometry::Positions> organs;
-    for (const auto& organ : study_.organs) {
-      viscera::poseOrgan(organ->rig, model_, *study_.body, body, organs.emplace_back(organ->rig.rest.positions.size()),
-                         {});
+    for (std::size_t o = 0; o < study_.organs.size(); ++o) {
+      organs.push_back(scene_.organ(o, 0));
     }
     return organs;
   }
@@ -127,7 +126,7 @@ class Mover {
 
  private:
   const LoadedStudy& study_;
-  OrganModel model_;
+  PosedScene scene_;
 };
 
 /// Largest turn of a joint between two times of a clip, degrees.
@@ -150,7 +149,7 @@ struct Continuity {
 
 Continuity continuity(const LoadedStudy& study, OrganModel model, const std::string& clipName, double end) {
   const human::Clip& clip = clipNamed(study, clipName);
-  const Mover mover(study, model);
+  Mover mover(study, model);
   constexpr int frames = 20;
   Continuity result;
   double steepest = 0.0;

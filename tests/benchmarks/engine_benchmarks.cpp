@@ -15,7 +15,7 @@ using namespace lorica;
 constexpr std::uint64_t shotsPerRound = 200000;
 
 const analysis::LoadedStudy& sample() {
-  static const analysis::LoadedStudy study = bench::sampleScene({2});
+  static const analysis::LoadedStudy study = bench::sampleScene(viscera::Deformer::softBody, {2});
   return study;
 }
 
@@ -78,6 +78,26 @@ void bindOrgans(benchmark::State& state) {
     }
   }
 }
+void bindSoftBody(benchmark::State& state) {
+  std::vector<viscera::SoftOrgan> organs;
+  for (const auto& organ : sample().organs) {
+    organs.push_back({organ->name, &organ->rig.rest});
+  }
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(viscera::SoftBody(organs, *sample().body, {}, {2}).cells());
+  }
+}
+BENCHMARK(bindSoftBody)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void settleSoftBody(benchmark::State& state) {
+  const human::Clip& clip = sample().clips.front();
+  const auto pose = sample().body->pose(human::sample(clip, *sample().body->body().skeleton, clip.duration() / 2), {2});
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(sample().softBody->settle(pose, {2}));
+  }
+}
+BENCHMARK(settleSoftBody)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 BENCHMARK(bindOrgans)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

@@ -55,6 +55,7 @@ inline const char* const fullStudy = R"({
   "seed": 18446744073709551615,
   "site_spacing_mm": 25,
   "skinning": "linear",
+  "deformer": "lattice",
   "display": [
     {"structure": "heart", "visible": false, "colour": "#c02818", "opacity": 0.5},
     {"structure": "body", "visible": true}

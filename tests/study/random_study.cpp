@@ -241,6 +241,7 @@ Study makeStudy() {
   study.seed = *rc::gen::arbitrary<std::uint64_t>();
   study.siteSpacing = anyMetresOfMillimetres(5.0, 500.0);
   study.skinning = oneOf<Skinning>({Skinning::rotationCentres, Skinning::linear});
+  study.deformer = oneOf<Deformer>({Deformer::softBody, Deformer::lattice});
   study.displays = several<Display>(anyDisplay);
   return study;
 }

@@ -59,6 +59,7 @@ TEST(StudyReader, ReadsEveryKey) {
   EXPECT_EQ(study.seed, 18446744073709551615U);
   EXPECT_EQ(study.siteSpacing, 0.025);
   EXPECT_EQ(study.skinning, Skinning::linear);
+  EXPECT_EQ(study.deformer, Deformer::lattice);
 
   ASSERT_EQ(study.displays.size(), 2U);
   EXPECT_EQ(study.displays[0].structure, "heart");
@@ -177,6 +178,7 @@ TEST(StudyReader, TellsTheWrongTypeOrValueAtItsPointer) {
       {"/display/0/visible", "no", "expected true or false, found \"no\""},
       {"/site_spacing_mm", 4.9, "expected a spacing in mm from 5 to 500, found 4.9"},
       {"/site_spacing_mm", 501, "expected a spacing in mm from 5 to 500, found 501"},
+      {"/deformer", "springs", R"(expected "soft_body" or "lattice", found "springs")"},
       {"/skinning", "smooth", R"(expected "rotation_centres" or "linear", found "smooth")"},
   };
   for (const Mistake& mistake : mistakes) {

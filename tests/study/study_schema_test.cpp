@@ -65,6 +65,7 @@ TEST(StudySchema, HasTheKeysOfTheReaderInEveryObject) {
 TEST(StudySchema, HasTheWordsOfTheReaderForEveryChoice) {
   EXPECT_EQ(wordsAt("/properties/models/items/enum"), wordsOf(modelWords));
   EXPECT_EQ(wordsAt("/properties/skinning/enum"), wordsOf(skinningWords));
+  EXPECT_EQ(wordsAt("/properties/deformer/enum"), wordsOf(deformerWords));
   EXPECT_EQ(wordsAt("/$defs/organ/properties/class/enum"), wordsOf(classWords));
   EXPECT_EQ(wordsAt("/$defs/lattice/properties/layout/enum"), wordsOf(layoutWords));
   EXPECT_EQ(wordsAt("/$defs/piece/properties/carriage/enum"), wordsOf(carriageWords));
@@ -95,6 +96,7 @@ TEST(StudySchema, HasTheVersionAndTheDefaultsOfTheProgram) {
   EXPECT_EQ(schema["properties"]["seed"]["default"], study.seed);
   EXPECT_EQ(schema["properties"]["site_spacing_mm"]["default"].get<double>() / 1000.0, study.siteSpacing);
   EXPECT_EQ(schema["properties"]["skinning"]["default"], wordFor(study.skinning, skinningWords));
+  EXPECT_EQ(schema["properties"]["deformer"]["default"], wordFor(study.deformer, deformerWords));
   EXPECT_EQ(schema["properties"]["models"]["default"], Json({name(study.models.at(0)), name(study.models.at(1))}));
   EXPECT_EQ(schema["$defs"]["source"]["properties"]["shots"]["default"], Source().shots);
   EXPECT_EQ(schema["$defs"]["lattice"]["properties"]["cell_mm"]["default"].get<double>() / 1000.0,

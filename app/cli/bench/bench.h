@@ -22,7 +22,7 @@ struct Ratio {
 
 struct Report {
   std::vector<Ratio> ratios;
-  std::vector<std::pair<std::string, double>> rates;  ///< rays per second and milliseconds, for orientation
+  std::vector<std::pair<std::string, double>> rates;  ///< rays per second, milliseconds, for orientation
   std::uint64_t triangles = 0;
   std::uint64_t rays = 0;
   int threads = 0;

@@ -4,8 +4,13 @@
 
 namespace lorica::bench {
 
-analysis::LoadedStudy sampleScene(base::Threads threads) {
-  return analysis::load(study::parseStudy(study::templateText("sample"), "sample"), "sample", threads);
+analysis::LoadedStudy sampleScene(viscera::Deformer deformer, base::Threads threads,
+                                  const analysis::LoadedStudy* like) {
+  study::Study study = study::parseStudy(study::templateText("sample"), "sample");
+  study.deformer = deformer;
+  analysis::LoadOptions options;
+  options.previous = like;
+  return analysis::load(std::move(study), "sample", threads, {}, options);
 }
 
 }  // namespace lorica::bench

@@ -40,8 +40,10 @@ ModelDeformation StudyAudit::measure(const PosedScene& scene, std::size_t model,
   result.model = model;
   for (std::size_t o = 0; o < study_->organs.size(); ++o) {
     organs.push_back(&scene.organ(o, model));
+    const bool soft = scene.models()[model] == viscera::OrganModel::dynamic && !scene.softBodyOffsets().empty();
     result.lattices.push_back(
-        viscera::latticeQuality(study_->organs[o]->rig, scene.models()[model], scene.body(), threads));
+        soft ? viscera::latticeQuality(study_->softBody->embedding(o), scene.softBodyOffsets())
+             : viscera::latticeQuality(study_->organs[o]->rig, scene.models()[model], scene.body(), threads));
   }
   result.audit = audit_.measure(scene.body().skin, organs, threads, progress);
   return result;

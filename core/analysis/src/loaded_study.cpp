@@ -226,6 +226,29 @@ void loadOrgans(Loading& loading, const base::Progress& progress) {
   }
 }
 
+/// Joins the organs to one soft body where the study has them deformed so.
+void loadSoftBody(Loading& loading, const LoadOptions& options, const base::Progress& progress) {
+  LoadedStudy& result = loading.result;
+  const std::vector<viscera::OrganModel>& models = result.study.models;
+  const bool used = options.allModels ||
+                    std::find(models.begin(), models.end(), viscera::OrganModel::dynamic) != models.end();
+  if (!used || result.study.deformer != viscera::Deformer::softBody || result.organs.empty() ||
+      !result.body->body().skeleton) {
+    return;
+  }
+  const LoadedStudy* previous = loading.previous;
+  if (previous != nullptr && previous->softBody != nullptr && previous->organs == result.organs) {
+    result.softBody = previous->softBody;
+    return;
+  }
+  std::vector<viscera::SoftOrgan> organs;
+  for (const auto& organ : result.organs) {
+    organs.push_back({organ->name, &organ->rig.rest});
+  }
+  result.softBody = std::make_shared<const viscera::SoftBody>(organs, *result.body, viscera::SoftBodyOptions{},
+                                                              loading.threads, progress);
+}
+
 /// A piece of the built-in human's armor, made to its measure.
 const manikin::ArmorPiece& builtinPiece(Loading& loading, const Builtin& builtin, const std::string& place) {
   std::vector<std::string> names;
@@ -506,7 +529,8 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
     rig.skinning = result.study.skinning;
     result.body = std::make_shared<const parenting::BodyRig>(std::move(body), rig, threads, progress.part(0.25, 0.5));
   }
-  loadOrgans(loading, progress.part(0.5, 0.85));
+  loadOrgans(loading, progress.part(0.5, 0.75));
+  loadSoftBody(loading, options, progress.part(0.75, 0.85));
   loadArmor(loading, progress.part(0.85, 1.0));
   result.fileIssues = mergedFileIssues(result, loading.previous, library.takeIssues());
   base::append(result.issues, result.bodyIssues);
@@ -516,6 +540,9 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
   }
   for (const auto& organ : result.organs) {
     base::append(result.issues, organ->issues);
+  }
+  if (result.softBody != nullptr) {
+    base::append(result.issues, result.softBody->issues());
   }
   for (const auto& piece : result.pieces) {
     base::append(result.issues, piece->issues);

@@ -1,5 +1,7 @@
 #include "lorica/analysis/posed_scene.h"
 
+#include <algorithm>
+
 namespace lorica::analysis {
 
 PosedScene::PosedScene(const LoadedStudy& study, std::vector<viscera::OrganModel> models,
@@ -39,9 +41,20 @@ void PosedScene::deform(const std::optional<human::Pose>& pose, base::Threads th
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
     armor::posePiece(study_->pieces[p]->rig, body_, deltas, pieces_[p], threads);
   }
+  const bool soft = study_->softBody != nullptr &&
+                    std::find(models_.begin(), models_.end(), viscera::OrganModel::dynamic) != models_.end();
+  if (soft) {
+    softBody_ = study_->softBody->settle(body_, threads);
+  }
   for (std::size_t slot = 0; slot < organs_.size(); ++slot) {
-    const LoadedOrgan& organ = *study_->organs[slot % study_->organs.size()];
-    viscera::poseOrgan(organ.rig, models_[slot / study_->organs.size()], body, body_, organs_[slot], threads);
+    const std::size_t o = slot % study_->organs.size();
+    const viscera::OrganModel model = models_[slot / study_->organs.size()];
+    const viscera::OrganRig& organ = study_->organs[o]->rig;
+    if (soft && model == viscera::OrganModel::dynamic) {
+      study_->softBody->place(o, organ.rest.positions, softBody_, body_, organs_[slot], threads);
+    } else {
+      viscera::poseOrgan(organ, model, body, body_, organs_[slot], threads);
+    }
   }
 }
 

@@ -59,6 +59,7 @@ std::string provenanceText(const Provenance& provenance) {
     json["sources"].push_back(sourceJson(source));
   }
   json["skinning"] = wordFor(provenance.study.skinning, skinningWords);
+  json["deformer"] = wordFor(provenance.study.deformer, deformerWords);
   json["interior_sites"] = provenance.interiorSites;
   json["collapsed_sites"] = provenance.collapsedSites;
   json["runs"] = Json::array();

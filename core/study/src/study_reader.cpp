@@ -451,6 +451,9 @@ Study parseStudy(std::string_view json, const std::string& file) {
   if (const Node skinning = root["skinning"]; skinning.present()) {
     study.skinning = skinning.choice(skinningWords);
   }
+  if (const Node deformer = root["deformer"]; deformer.present()) {
+    study.deformer = deformer.choice(deformerWords);
+  }
   return study;
 }
 

@@ -15,7 +15,7 @@ namespace lorica::study {
 
 inline constexpr auto studyKeys = std::to_array<std::string_view>(
     {"lorica_study", "name", "description", "human", "organs", "armor", "poses", "run_poses", "sources", "models",
-     "trials", "seed", "site_spacing_mm", "skinning", "display"});
+     "trials", "seed", "site_spacing_mm", "skinning", "deformer", "display"});
 inline constexpr auto humanKeys = std::to_array<std::string_view>(
     {"file", "sha256", "units", "up", "builtin", "parts", "sex", "stature_m", "mass_kg", "joint_roles"});
 inline constexpr auto organKeys = std::to_array<std::string_view>(
@@ -52,6 +52,8 @@ inline constexpr auto modelWords = std::to_array<Word<OrganModel>>({{"static_joi
                                                                     {"dynamic", OrganModel::dynamic}});
 inline constexpr auto skinningWords =
     std::to_array<Word<Skinning>>({{"rotation_centres", Skinning::rotationCentres}, {"linear", Skinning::linear}});
+inline constexpr auto deformerWords =
+    std::to_array<Word<Deformer>>({{"soft_body", Deformer::softBody}, {"lattice", Deformer::lattice}});
 inline constexpr auto unitWords = std::to_array<Word<base::LengthUnit>>({{"m", base::LengthUnit::metre},
                                                                          {"cm", base::LengthUnit::centimetre},
                                                                          {"mm", base::LengthUnit::millimetre},

@@ -245,6 +245,9 @@ Json studyJson(const Study& study) {
   if (study.skinning != defaults.skinning) {
     root["skinning"] = wordFor(study.skinning, skinningWords);
   }
+  if (study.deformer != defaults.deformer) {
+    root["deformer"] = wordFor(study.deformer, deformerWords);
+  }
   putList(root, "display", study.displays, displayJson);
   return root;
 }

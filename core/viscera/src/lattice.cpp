@@ -43,8 +43,11 @@ struct Grid {
   std::size_t index(std::size_t i, std::size_t j, std::size_t k) const { return i + points[0] * (j + points[1] * k); }
 };
 
-constexpr std::array<std::array<std::size_t, 3>, 8> cornerSteps = {
-    {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 0}, {1, 1, 0}, {0, 1, 1}, {1, 1, 1}}};
+/// Number of a cell's corner `c` among the control points.
+std::size_t cornerOf(const Grid& grid, const std::array<std::size_t, 3>& cell, std::size_t c) {
+  const auto step = [c](std::size_t axis) { return static_cast<std::size_t>(cornerDigits[c][axis]); };
+  return grid.index(cell[0] + step(0), cell[1] + step(1), cell[2] + step(2));
+}
 
 }  // namespace
 
@@ -95,8 +98,8 @@ Lattice makeLattice(std::span<const Vec3f> positions, const LatticeOptions& opti
   const std::size_t allPoints = grid.points[0] * grid.points[1] * grid.points[2];
   std::vector<char> keep(allPoints, options.prune ? 0 : 1);
   for (const auto& at : usedCells) {
-    for (const auto& step : cornerSteps) {
-      keep[grid.index(at[0] + step[0], at[1] + step[1], at[2] + step[2])] = 1;
+    for (std::size_t c = 0; c < 8; ++c) {
+      keep[cornerOf(grid, at, c)] = 1;
     }
   }
   std::vector<std::uint32_t> pointNumber(allPoints, UINT32_MAX);
@@ -118,17 +121,15 @@ Lattice makeLattice(std::span<const Vec3f> positions, const LatticeOptions& opti
   for (const auto& at : usedCells) {
     std::array<std::uint32_t, 8>& corners = lattice.cellCorners.emplace_back();
     for (std::size_t c = 0; c < 8; ++c) {
-      corners[c] =
-          pointNumber[grid.index(at[0] + cornerSteps[c][0], at[1] + cornerSteps[c][1], at[2] + cornerSteps[c][2])];
+      corners[c] = pointNumber[cornerOf(grid, at, c)];
     }
   }
   return lattice;
 }
 
-void deform(std::span<const Vec3f> rest, const Lattice& lattice, std::span<const Vec3f> offsets, std::span<Vec3f> posed,
+void deform(std::span<const Vec3f> rest, const Embedding& lattice, std::span<const Vec3f> offsets, std::span<Vec3f> posed,
             base::Threads threads) {
   LORICA_CHECK(rest.size() == lattice.cellOf.size() && posed.size() == rest.size(), "the lattice's own vertices");
-  LORICA_CHECK(offsets.size() == lattice.controlPoints.size(), "one offset per control point");
   base::parallelFor(rest.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const std::array<std::uint32_t, 8>& corner = lattice.cellCorners[lattice.cellOf[v]];
@@ -140,7 +141,9 @@ void deform(std::span<const Vec3f> rest, const Lattice& lattice, std::span<const
       const Vec3f c11 = offsets[corner[6]] * (1.0F - x) + offsets[corner[7]] * x;
       const Vec3f c0 = c00 * (1.0F - d.y()) + c10 * d.y();
       const Vec3f c1 = c01 * (1.0F - d.y()) + c11 * d.y();
-      posed[v] = rest[v] + (c0 * (1.0F - d.z()) + c1 * d.z());
+      const Vec3f offset = c0 * (1.0F - d.z()) + c1 * d.z();
+      // Adding zero would turn -0 into 0.
+      posed[v] = offset == Vec3f::Zero() ? rest[v] : Vec3f(rest[v] + offset);
     }
   });
 }

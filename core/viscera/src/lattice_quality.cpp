@@ -49,8 +49,7 @@ double jacobian(const std::array<Vec3d, 8>& offset, const Vec3d& at, const Vec3d
 
 }  // namespace
 
-LatticeQuality latticeQuality(const Lattice& lattice, std::span<const Vec3f> offsets) {
-  LORICA_CHECK(offsets.size() == lattice.controlPoints.size(), "one offset per control point");
+LatticeQuality latticeQuality(const Embedding& lattice, std::span<const Vec3f> offsets) {
   static const std::array<Vec3d, 16> points = pointsOfACell();
   LatticeQuality quality;
   for (const std::array<std::uint32_t, 8>& corners : lattice.cellCorners) {

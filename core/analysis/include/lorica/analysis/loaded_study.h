@@ -11,6 +11,7 @@
 #include "lorica/parenting/body_rig.h"
 #include "lorica/study/study.h"
 #include "lorica/viscera/organ_rig.h"
+#include "lorica/viscera/soft_body.h"
 
 namespace lorica::analysis {
 
@@ -36,6 +37,8 @@ struct LoadedStudy {
   std::shared_ptr<const parenting::BodyRig> body;
   std::vector<human::Clip> clips;
   std::vector<std::shared_ptr<const LoadedOrgan>> organs;  ///< in the study's order
+  /// Of all organs; null where no model uses it (Study::models, Study::deformer) or the body has no skeleton.
+  std::shared_ptr<const viscera::SoftBody> softBody;
   std::vector<std::shared_ptr<const LoadedPiece>> pieces;  ///< system by system, in the study's order
   std::vector<std::size_t> systemOfPiece;                  ///< indices into Study::systems
   bool thesisSites = false;                                ///< bound for `dynamic_thesis` too, asked for or not

@@ -23,6 +23,8 @@ class PosedScene {
   const geometry::Positions& organ(std::size_t organ, std::size_t model) const {
     return organs_[model * study_->organs.size() + organ];
   }
+  /// How the control points of LoadedStudy::softBody moved; empty where no model shown uses it.
+  const std::vector<geometry::Vec3f>& softBodyOffsets() const { return softBody_; }
   const std::vector<viscera::OrganModel>& models() const { return models_; }
   const raycast::Scene& scene() const { return scene_; }
   const shotline::TargetLayout& layout() const { return layout_; }
@@ -36,6 +38,7 @@ class PosedScene {
   parenting::PosedBody body_;
   std::vector<geometry::Positions> pieces_;
   std::vector<geometry::Positions> organs_;  ///< model by model
+  std::vector<geometry::Vec3f> softBody_;
   raycast::Scene scene_;
   shotline::TargetLayout layout_;
 };

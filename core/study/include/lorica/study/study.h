@@ -48,6 +48,7 @@ struct MeshSource {
 using LatticeSettings = viscera::LatticeOptions;
 using armor::Carriage;
 using human::Skinning;
+using viscera::Deformer;
 using shotline::Sampler;
 using viscera::OrganModel;
 
@@ -146,6 +147,7 @@ struct Study {
   std::uint64_t seed = 1;
   double siteSpacing = 0.04;  ///< metres between interior sites
   Skinning skinning = Skinning::rotationCentres;
+  Deformer deformer = Deformer::softBody;  ///< of OrganModel::dynamic
   std::vector<Display> displays;  ///< each structure at most once
   bool operator==(const Study&) const = default;
 };

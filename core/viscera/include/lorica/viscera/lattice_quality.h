@@ -20,7 +20,7 @@ struct LatticeQuality {
 /// Looks at the eight corners and the eight Gauss points (2 x 2 x 2) of every cell that holds a vertex. A cell may
 /// still turn inside out between them; where all sixteen are well above 0 it does not. \pre one offset per control
 /// point. Cost: 16 determinants a cell.
-LatticeQuality latticeQuality(const Lattice& lattice, std::span<const geometry::Vec3f> offsets);
+LatticeQuality latticeQuality(const Embedding& lattice, std::span<const geometry::Vec3f> offsets);
 
 /// Of an organ in a pose and a model: that of the lattice which poseOrgan() moves, or a rigid model's.
 LatticeQuality latticeQuality(const OrganRig& organ, OrganModel model, const parenting::PosedBody& pose,

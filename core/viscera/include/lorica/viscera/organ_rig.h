@@ -17,7 +17,13 @@ enum class OrganModel {
   staticJoint,    ///< rigid, carried by one joint: what plain "static" means
   staticSkin,     ///< rigid, carried by skin-based parenting, position and orientation
   dynamicThesis,  ///< lattice driven by the nearest site, with the thesis' anchors and planes
-  dynamic         ///< lattice driven by blended sites: our best
+  dynamic         ///< our best: see Deformer
+};
+
+/// What OrganModel::dynamic stands for.
+enum class Deformer {
+  softBody,  ///< all organs as one SoftBody: they keep their volume and their contacts
+  lattice    ///< each organ by a lattice of its own, driven by blended sites: plain, and several times faster
 };
 
 /// "static_joint", "static_skin", "dynamic_thesis", "dynamic".
@@ -47,7 +53,7 @@ struct OrganRig {
 OrganRig bindOrgan(geometry::TriangleMesh rest, const std::string& name, const parenting::BodyRig& body,
                    const OrganOptions& options, base::Threads threads);
 
-/// The organ's vertices in a pose. At rest every vertex keeps its bits, in every model.
+/// The organ's vertices in a pose; Deformer::lattice for OrganModel::dynamic. At rest every vertex keeps its bits, in every model.
 /// \pre posed.size() == organ.rest.positions.size()
 void poseOrgan(const OrganRig& organ, OrganModel model, const parenting::BodyRig& body,
                const parenting::PosedBody& pose, std::span<geometry::Vec3f> posed, base::Threads threads);
