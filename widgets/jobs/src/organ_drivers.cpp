@@ -53,7 +53,7 @@ void addLattice(OrganDrivers& drivers, const OrganRig& organ, const parenting::S
   const std::vector<Vec3f> moved = viscera::offsets(organ.lattice.controlPoints, blends, motion.carry, threads);
   drivers.controlPoints.reserve(moved.size());
   for (std::size_t p = 0; p < moved.size(); ++p) {
-    drivers.controlPoints.push_back(organ.lattice.controlPoints[p].cast<float>() + moved[p]);
+    drivers.controlPoints.emplace_back(organ.lattice.controlPoints[p].cast<float>() + moved[p]);
   }
   drivers.pruned = organ.lattice.pruned;
 }
@@ -152,8 +152,8 @@ OrganDrivers poseDrivers(const analysis::LoadedStudy& study, std::size_t index,
   }
   if (layout->inSoftBody) {
     for (std::size_t p = 0; p < layout->softPoints.size(); ++p) {
-      drivers.controlPoints.push_back(layout->softPlaces[p].cast<float>() +
-                                      scene.softBodyOffsets()[layout->softPoints[p]]);
+      drivers.controlPoints.emplace_back(layout->softPlaces[p].cast<float>() +
+                                         scene.softBodyOffsets()[layout->softPoints[p]]);
     }
   } else if (const auto& blends = blendsOf(organ, layout->model); !blends.empty()) {
     addLattice(drivers, organ, motion, blends, threads);

@@ -15,7 +15,7 @@ using Entry = LegendText::Entry;
 
 constexpr int margin = 10;
 constexpr int barPixels = 190;
-constexpr int widest = 400;
+constexpr int widest = 440;
 const QColor paper(255, 255, 255, 225);
 const QColor frameColour(0, 0, 0, 60);
 const QColor ink(40, 44, 50);

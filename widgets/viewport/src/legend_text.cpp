@@ -26,7 +26,7 @@ QString driverNote(const jobs::OrganDrivers& drivers) {
     return QObject::tr("rigid, carried by one site");
   }
   if (drivers.layout->inSoftBody) {
-    return QObject::tr("%1 control points of the soft body all organs share; the skin moves them, no site")
+    return QObject::tr("%1 control points of the soft body; no site: the skin moves it")
         .arg(grouped(drivers.controlPoints.size()));
   }
   const QString points = drivers.pruned == 0

@@ -49,12 +49,12 @@ struct OrganDrivers {
   std::string jointName;
 };
 
-/// \param organ index into the study's. Thread-safe. Cost: a sort of the cells' edges.
-DriverLayout driverLayout(const analysis::LoadedStudy& study, std::size_t organ, viscera::OrganModel model);
+/// \param index of the organ in the study. Thread-safe. Cost: a sort of the cells' edges.
+DriverLayout driverLayout(const analysis::LoadedStudy& study, std::size_t index, viscera::OrganModel model);
 
-/// \param organ index into the study's \param layout of this organ \param scene shows the study
+/// \param index of the organ in the study \param layout of this organ \param scene shows the study
 /// Thread-safe. Cost: that of posing the control points once more.
-OrganDrivers poseDrivers(const analysis::LoadedStudy& study, std::size_t organ,
+OrganDrivers poseDrivers(const analysis::LoadedStudy& study, std::size_t index,
                          std::shared_ptr<const DriverLayout> layout, const analysis::PosedScene& scene,
                          base::Threads threads);
 
