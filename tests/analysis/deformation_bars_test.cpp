@@ -55,6 +55,8 @@ struct Bars {
   std::size_t inverted = 0;  ///< cells, of all organs in one pose
   double smallestJacobian = 1.0;
   double stretch = 1.0;
+  double perDegree = 0.0;  ///< mm a degree
+  double jump = 0.0;       ///< mm
 };
 
 template <class Value>
@@ -240,18 +242,17 @@ std::vector<Bars> measureAndPrint(const LoadedStudy& study, const std::string& b
                     "protr. mm", "overl.cm3", "gap mm", "solid %", "soft %", "invert", "min J", "stretch", "mm/deg",
                     "jump mm"));
   for (std::size_t m = 0; m < allModels.size(); ++m) {
-    const Bars& b = bars[m];
-    Continuity worst;
+    Bars& b = bars[m];
     for (const auto& [clip, shares] : extremes) {
       const Continuity here = continuity(study, allModels[m], clip, shares[0]);
-      worst.perDegree = std::max(worst.perDegree, here.perDegree);
-      worst.jump = std::max(worst.jump, here.jump);
+      b.perDegree = std::max(b.perDegree, here.perDegree);
+      b.jump = std::max(b.jump, here.jump);
     }
     print(
         fmt::format("{:<15} {:>9.3f} {:>9.2f} {:>9.1f} {:>8.2f} {:>8.2f} {:>8.2f} {:>6} {:>7.3f} {:>7.2f} {:>8.2f} "
                     "{:>7.3f}",
                     viscera::name(allModels[m]), b.outsidePercent, b.protrusion, b.overlap, b.gap, b.solidChange,
-                    b.softChange, b.inverted, b.smallestJacobian, b.stretch, worst.perDegree, worst.jump));
+                    b.softChange, b.inverted, b.smallestJacobian, b.stretch, b.perDegree, b.jump));
     print(fmt::format("                worst: outside {}; protrusion {}; overlap {}; gap {}; solid {}; soft {}",
                       b.outsidePose, b.protrusionOf, b.overlapPose, b.gapPose, b.solidOf, b.softOf));
     const auto less = [](double value, double rigid) { return rigid > 0.0 ? 100.0 * (1.0 - value / rigid) : 0.0; };
@@ -261,7 +262,19 @@ std::vector<Bars> measureAndPrint(const LoadedStudy& study, const std::string& b
   return bars;
 }
 
-void expectWhatHolds(const std::vector<Bars>& bars) {
+void expectContactsAndInside(const std::vector<Bars>& bars) {
+  const Bars& joint = bars[0];
+  const Bars& best = bars[3];
+  EXPECT_LT(best.outsidePercent, 0.05) << best.outsidePose;
+  EXPECT_LT(best.protrusion, 1.0) << best.protrusionOf;
+  EXPECT_LE(best.overlap, 0.1 * joint.overlap) << best.overlapPose;
+  EXPECT_LE(best.gap, 0.2 * joint.gap) << best.gapPose;
+  EXPECT_EQ(best.inverted, 0U);
+  EXPECT_LT(best.jump, 0.05) << "mm, at a 16384th of a frame";
+}
+
+/// What organs must do, whatever the pose, whose volumes can be told.
+void expectBars(const std::vector<Bars>& bars) {
   const Bars& joint = bars[0];
   const Bars& best = bars[3];
   for (std::size_t rigid = 0; rigid < 2; ++rigid) {
@@ -270,9 +283,9 @@ void expectWhatHolds(const std::vector<Bars>& bars) {
     EXPECT_EQ(bars[rigid].inverted, 0U);
   }
   EXPECT_GT(joint.outsidePercent, 0.0) << "rigid organs leave the skin";
-  EXPECT_LT(best.outsidePercent, joint.outsidePercent);
-  EXPECT_LT(best.overlap, joint.overlap);
-  EXPECT_LT(best.gap, joint.gap);
+  expectContactsAndInside(bars);
+  EXPECT_LE(best.solidChange, 2.0) << best.solidOf;
+  EXPECT_LE(best.softChange, 5.0) << best.softOf;
 }
 
 LoadedStudy loadWithAllModels(study::Study study, const fs::path& file) {
@@ -283,7 +296,7 @@ LoadedStudy loadWithAllModels(study::Study study, const fs::path& file) {
 
 TEST(DeformationBars, OfTheBuiltInHuman) {
   const LoadedStudy study = loadWithAllModels(study::parseStudy(study::templateText("sample"), "sample"), "sample");
-  expectWhatHolds(measureAndPrint(study, "built-in human"));
+  expectBars(measureAndPrint(study, "built-in human"));
 }
 
 LoadedStudy visibleHuman(const std::string& set) {
@@ -300,12 +313,13 @@ LoadedStudy visibleHuman(const std::string& set) {
 
 TEST(DeformationBars, OfTheVisibleHumanWithClosedOrgans) {
   LORICA_NEEDS_REAL_DATA("visible-human-male/organs_closed");
-  expectWhatHolds(measureAndPrint(visibleHuman("organs_closed"), "Visible Human, closed organs"));
+  expectBars(measureAndPrint(visibleHuman("organs_closed"), "Visible Human, closed organs"));
 }
 
 TEST(DeformationBars, OfTheVisibleHumanWithOrgansOfOpenPatches) {
   LORICA_NEEDS_REAL_DATA("visible-human-male/organs");
-  measureAndPrint(visibleHuman("organs"), "Visible Human, organs of open patches");
+  // Most have no volume to keep, and the gallbladder's wall is thinner than the samples that stand for it.
+  expectContactsAndInside(measureAndPrint(visibleHuman("organs"), "Visible Human, organs of open patches"));
 }
 
 }  // namespace

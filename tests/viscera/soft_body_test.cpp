@@ -261,7 +261,9 @@ struct AnyColumn {
   double side;   // radians: direction of the bend
 
   static AnyColumn draw(double largestBend) {
-    const auto within = [](double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0; };
+    const auto within = [](double low, double high) {
+      return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0;
+    };
     AnyColumn any{};
     any.size = {within(0.02, 0.06), within(0.02, 0.1), within(0.02, 0.06)};
     const double room = radius * std::cos(std::numbers::pi / 36) - 0.003 - any.size.head<3>().maxCoeff();
@@ -290,8 +292,8 @@ RC_GTEST_FIXTURE_PROP(Column, InAnySmoothBendABallStaysInsideAndKeepsItsVolume, 
   const SoftBody soft = bind(rig_, {&ball});
   const auto pose = posed([&](const Vec3d& p) { return any.map(p); }, [&](double y) { return any.turn(y); });
   const TriangleMesh now = moved(soft, 0, ball, pose);
-  RC_LOG() << "centre " << any.centre.transpose() << " size " << any.size.transpose() << " bend " << any.bend << " twist "
-           << any.twist << " volume " << change(now, ball) << " out "
+  RC_LOG() << "centre " << any.centre.transpose() << " size " << any.size.transpose() << " bend " << any.bend
+           << " twist " << any.twist << " volume " << change(now, ball) << " out "
            << protrusion(now, {pose.skin, rig_.body().skin.triangles});
   RC_ASSERT(protrusion(now, {pose.skin, rig_.body().skin.triangles}) < 1e-3);
   RC_ASSERT(std::abs(change(now, ball)) < 0.02);
@@ -305,8 +307,8 @@ RC_GTEST_FIXTURE_PROP(Column, InAnyFoldABallStaysInsideAndInOnePiece, ()) {
   const SoftBody soft = bind(rig_, {&ball});
   const auto pose = posed([&](const Vec3d& p) { return any.map(p); }, [&](double y) { return any.turn(y); });
   const TriangleMesh now = moved(soft, 0, ball, pose);
-  RC_LOG() << "centre " << any.centre.transpose() << " size " << any.size.transpose() << " bend " << any.bend << " twist "
-           << any.twist << " volume " << change(now, ball) << " out "
+  RC_LOG() << "centre " << any.centre.transpose() << " size " << any.size.transpose() << " bend " << any.bend
+           << " twist " << any.twist << " volume " << change(now, ball) << " out "
            << protrusion(now, {pose.skin, rig_.body().skin.triangles});
   RC_ASSERT(protrusion(now, {pose.skin, rig_.body().skin.triangles}) < 1e-3);
   RC_ASSERT(std::abs(change(now, ball)) < 0.2);
@@ -348,8 +350,9 @@ TEST_F(Column, TheOrganFollowsThePoseWithoutJumps) {
   const SoftBody soft = bind(rig_, {&ball});
   const auto at = [&](double degrees) {
     const double perMetre = degrees * std::numbers::pi / 180.0 / length;
-    return moved(soft, 0, ball,
-                 posed([&](const Vec3d& p) { return bent(p, perMetre); }, [&](double y) { return bentTurn(y, perMetre); }));
+    return moved(
+        soft, 0, ball,
+        posed([&](const Vec3d& p) { return bent(p, perMetre); }, [&](double y) { return bentTurn(y, perMetre); }));
   };
   TriangleMesh before = at(0.5);
   for (double degrees = 1.0; degrees <= 150.0; degrees += 0.5) {

@@ -230,8 +230,8 @@ void loadOrgans(Loading& loading, const base::Progress& progress) {
 void loadSoftBody(Loading& loading, const LoadOptions& options, const base::Progress& progress) {
   LoadedStudy& result = loading.result;
   const std::vector<viscera::OrganModel>& models = result.study.models;
-  const bool used = options.allModels ||
-                    std::find(models.begin(), models.end(), viscera::OrganModel::dynamic) != models.end();
+  const bool used =
+      options.allModels || std::find(models.begin(), models.end(), viscera::OrganModel::dynamic) != models.end();
   if (!used || result.study.deformer != viscera::Deformer::softBody || result.organs.empty() ||
       !result.body->body().skeleton) {
     return;

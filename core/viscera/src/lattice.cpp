@@ -127,8 +127,8 @@ Lattice makeLattice(std::span<const Vec3f> positions, const LatticeOptions& opti
   return lattice;
 }
 
-void deform(std::span<const Vec3f> rest, const Embedding& lattice, std::span<const Vec3f> offsets, std::span<Vec3f> posed,
-            base::Threads threads) {
+void deform(std::span<const Vec3f> rest, const Embedding& lattice, std::span<const Vec3f> offsets,
+            std::span<Vec3f> posed, base::Threads threads) {
   LORICA_CHECK(rest.size() == lattice.cellOf.size() && posed.size() == rest.size(), "the lattice's own vertices");
   base::parallelFor(rest.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {

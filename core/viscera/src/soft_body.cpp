@@ -223,7 +223,8 @@ Depth depthUnder(const SkinGuard& guard, std::span<const Vec3f> skin, const Vec3
   const Vec3f& c = skin[guard.corners[2]];
   const Vec3f outwards = (b - a).cross(c - a).normalized();
   const Vec3f over = guard.barycentric[0] * a + guard.barycentric[1] * b + guard.barycentric[2] * c;
-  return {outwards.dot(over - vertex), outwards};
+  const float depth = outwards.dot(over - vertex);
+  return {depth, (over - vertex - depth * outwards).norm(), outwards};
 }
 
 void SoftBody::place(std::size_t organ, std::span<const Vec3f> rest, std::span<const Vec3f> offsets,
@@ -236,8 +237,10 @@ void SoftBody::place(std::size_t organ, std::span<const Vec3f> rest, std::span<c
     for (std::size_t g = begin; g < end; ++g) {
       Vec3f& vertex = posed[guards[g].vertex];
       const Depth depth = depthUnder(guards[g], pose.skin, vertex);
-      if (depth.metres < guards[g].least) {
-        vertex -= (guards[g].least - depth.metres) * depth.outwards;
+      // The farther the vertex slid along the skin, the less that place tells of the skin over it.
+      const float least = guards[g].least - std::max(0.0F, depth.aside - guards[g].aside);
+      if (depth.metres < least) {
+        vertex -= (least - depth.metres) * depth.outwards;
       }
     }
   });

@@ -22,13 +22,19 @@ constexpr double kGridLimit = 3e5;
 /// How far a cell counts as filled that an organ reaches at all.
 constexpr float kLeast = 0.3F;
 
+/// The samples of a cell that lie in something.
+struct FilledCell {
+  std::size_t cell = 0;
+  std::uint64_t samples = 0;
+};
+
 /// The organs in a grid, before it is known whether that has few enough cells.
 struct Filling {
   BodyGrid grid;
-  std::vector<Samples> organs;             ///< inside each organ; empty words where nothing closes
-  std::vector<float> filled;               ///< per cell: by all organs, 0 to 1
-  std::vector<char> taken;                 ///< per cell: part of the soft body
-  std::vector<std::uint32_t> skinVertices;  ///< those that bound the flesh around the organs
+  std::vector<std::vector<FilledCell>> organs;  ///< inside each organ; none where nothing closes
+  std::vector<float> filled;                    ///< per cell: by all organs, 0 to 1
+  std::vector<char> taken;                      ///< per cell: part of the soft body
+  std::vector<std::uint32_t> skinVertices;      ///< those that bound the flesh around the organs
 };
 
 /// The organs' own samples and cells.
@@ -37,17 +43,20 @@ Samples fillWithOrgans(Filling& filling, std::span<const SoftOrgan> organs, base
   Samples taken(filling.grid.size(), 0);
   for (const SoftOrgan& organ : organs) {
     progress.check();
-    const Samples& inside = filling.organs.emplace_back(
-        samplesInside(filling.grid, organ.mesh->positions, raycast::makeTopology(*organ.mesh), threads));
-    const bool closes = std::any_of(inside.begin(), inside.end(), [](std::uint64_t word) { return word != 0; });
+    const Samples inside =
+        samplesInside(filling.grid, organ.mesh->positions, raycast::makeTopology(*organ.mesh), threads);
+    std::vector<FilledCell>& cells = filling.organs.emplace_back();
     for (std::size_t c = 0; c < inside.size(); ++c) {
-      taken[c] |= inside[c];
-      filling.filled[c] = std::min(1.0F, filling.filled[c] + share(inside[c]));
+      if (inside[c] != 0) {
+        cells.push_back({c, inside[c]});
+        taken[c] |= inside[c];
+        filling.filled[c] = std::min(1.0F, filling.filled[c] + share(inside[c]));
+      }
     }
     for (const Vec3f& position : organ.mesh->positions) {
       const BodyGrid::Spot spot = *filling.grid.locate(position);
       taken[spot.cell] |= sampleAt(spot.fraction);
-      filling.filled[spot.cell] = closes ? std::max(kLeast, filling.filled[spot.cell]) : 1.0F;
+      filling.filled[spot.cell] = cells.empty() ? 1.0F : std::max(kLeast, filling.filled[spot.cell]);
     }
   }
   return taken;
@@ -105,8 +114,9 @@ std::vector<double> vertexAreas(const geometry::TriangleMesh& mesh) {
 
 /// The strongest of many weights, made to sum to 1.
 JointBlend strongest(std::vector<std::pair<float, std::uint32_t>> weights) {
-  std::sort(weights.begin(), weights.end(),
-            [](const auto& a, const auto& b) { return a.first > b.first || (a.first == b.first && a.second < b.second); });
+  std::sort(weights.begin(), weights.end(), [](const auto& a, const auto& b) {
+    return a.first > b.first || (a.first == b.first && a.second < b.second);
+  });
   JointBlend blend;
   float sum = 0.0F;
   for (std::size_t k = 0; k < std::min(weights.size(), JointBlend::limit); ++k) {
@@ -178,7 +188,9 @@ void SoftBody::Binding::fillGrid(const SoftBodyOptions& options, const base::Pro
   while ((box.sizes().array() + around + 4.0 * cell).prod() > kGridLimit * cell * cell * cell) {
     cell *= 1.25;
   }
-  const auto taken = [&] { return static_cast<std::size_t>(std::count(filling.taken.begin(), filling.taken.end(), 1)); };
+  const auto taken = [&] {
+    return static_cast<std::size_t>(std::count(filling.taken.begin(), filling.taken.end(), 1));
+  };
   filling = fill(organs, body, cell, options.reachMetres, threads, progress);
   while (taken() > options.cellLimit) {
     cell *= 1.25;
@@ -210,7 +222,8 @@ void SoftBody::Binding::numberCells() {
       std::uint32_t& point = pointNumber[corners.index(at[0] + digit[0], at[1] + digit[1], at[2] + digit[2])];
       if (point == kNone) {
         point = static_cast<std::uint32_t>(parts.points.size());
-        parts.points.emplace_back(grid.origin + grid.cell * Vec3d(at[0] + digit[0], at[1] + digit[1], at[2] + digit[2]));
+        parts.points.emplace_back(grid.origin +
+                                  grid.cell * Vec3d(at[0] + digit[0], at[1] + digit[1], at[2] + digit[2]));
         parts.cellsOfPoint.emplace_back().fill(kNone);
       }
       cell[k] = point;
@@ -237,12 +250,9 @@ void SoftBody::Binding::embedOrgans() {
       embedding.cellOf.push_back(own[cell]);
       embedding.fraction.push_back(spot.fraction);
     }
-    const Samples& inside = filling.organs[o];
-    for (std::size_t c = 0; c < filling.grid.size(); ++c) {
-      if (inside[c] != 0) {
-        parts.organParts.push_back(
-            {static_cast<std::uint32_t>(o), cellNumber[c], volume * share(inside[c]), centroid(inside[c])});
-      }
+    for (const FilledCell& inside : filling.organs[o]) {
+      parts.organParts.push_back({static_cast<std::uint32_t>(o), cellNumber[inside.cell],
+                                  volume * share(inside.samples), centroid(inside.samples)});
     }
   }
 }
@@ -252,9 +262,8 @@ void SoftBody::Binding::tieToSkin() {
   const std::vector<double> areas = vertexAreas(skin);
   for (const std::uint32_t v : filling.skinVertices) {
     const BodyGrid::Spot spot = *filling.grid.locate(skin.positions[v]);
-    parts.skin.push_back({v, cellNumber[spot.cell],
-                          kSkin * static_cast<float>(areas[v] / (parts.cell * parts.cell)), spot.fraction,
-                          skin.positions[v]});
+    parts.skin.push_back({v, cellNumber[spot.cell], kSkin * static_cast<float>(areas[v] / (parts.cell * parts.cell)),
+                          spot.fraction, skin.positions[v]});
   }
 }
 
@@ -272,8 +281,10 @@ void SoftBody::Binding::guardOrgans() {
     for (std::size_t v = 0; v < positions.size(); ++v) {
       if (nearest[v]) {
         SkinGuard guard{static_cast<std::uint32_t>(v), skin.triangles[nearest[v]->triangle],
-                        nearest[v]->barycentric.cast<float>(), kLeastDepth};
-        guard.least = std::min(guard.least, depthUnder(guard, skin.positions, positions[v]).metres);
+                        nearest[v]->barycentric.cast<float>(), kLeastDepth, 0.0F};
+        const Depth rest = depthUnder(guard, skin.positions, positions[v]);
+        guard.least = std::min(guard.least, rest.metres);
+        guard.aside = rest.aside;
         guards.push_back(guard);
       }
     }

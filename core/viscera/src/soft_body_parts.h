@@ -14,7 +14,7 @@ inline constexpr float kSkin = 30.0F;
 /// How hard the joints hold each control point: enough to tell where the body goes that no skin holds.
 inline constexpr float kHold = 1e-3F;
 /// The strain of a filled cell that an organ's pressure may work against.
-inline constexpr double kPressureLimit = 2.5;
+inline constexpr double kPressureLimit = 1.5;
 /// Vertices that lie deeper than this at rest are not held back from the skin, metres.
 inline constexpr double kGuarded = 0.02;
 /// How deep below the skin vertices are held that were not nearer at rest, metres.
@@ -42,11 +42,13 @@ struct SkinGuard {
   geometry::Triangle corners{};  ///< of the skin
   geometry::Vec3f barycentric = geometry::Vec3f::Zero();
   float least = 0.0F;  ///< depth below the skin that the vertex keeps, metres
+  float aside = 0.0F;  ///< how far it lies beside the place at rest, metres
 };
 
-/// A vertex' depth below the skin over it, square to that, and the skin's direction outwards.
+/// Where a vertex lies below the place on the skin that guards it.
 struct Depth {
-  float metres = 0.0F;
+  float metres = 0.0F;  ///< square to the skin there
+  float aside = 0.0F;   ///< along it
   geometry::Vec3f outwards = geometry::Vec3f::Zero();
 };
 Depth depthUnder(const SkinGuard& guard, std::span<const geometry::Vec3f> skin, const geometry::Vec3f& vertex);
@@ -62,17 +64,17 @@ struct OrganPart {
 struct SoftBody::Parts {
   double cell = 0.0;  ///< edge length, metres
   std::vector<Corners> cells;
-  std::vector<float> stiffness;               ///< per cell
-  std::vector<JointBlend> cellJoints;         ///< per cell
-  std::vector<geometry::Vec3d> points;        ///< control points at rest
-  std::vector<Corners> cellsOfPoint;          ///< the cell in which a point is corner c; none: kNone
-  std::vector<JointBlend> pointJoints;        ///< per control point
-  std::vector<Embedding> embeddings;          ///< per organ
+  std::vector<float> stiffness;         ///< per cell
+  std::vector<JointBlend> cellJoints;   ///< per cell
+  std::vector<geometry::Vec3d> points;  ///< control points at rest
+  std::vector<Corners> cellsOfPoint;    ///< the cell in which a point is corner c; none: kNone
+  std::vector<JointBlend> pointJoints;  ///< per control point
+  std::vector<Embedding> embeddings;    ///< per organ
   std::vector<SkinPull> skin;
   std::vector<std::vector<SkinGuard>> guards;  ///< per organ
   std::vector<OrganPart> organParts;
   std::size_t organs = 0;
-  Eigen::MatrixXd pressureFor;  ///< pressures per m3 of volume that organs lack, at rest
+  Eigen::MatrixXd pressureFor;            ///< pressures per m3 of volume that organs lack, at rest
   std::vector<std::int64_t> parentJoint;  ///< -1 for a root
   int rounds = 0;
   SparseSolver solver;

@@ -25,7 +25,7 @@ class SparseSolver {
   std::vector<std::uint32_t> place_;  ///< of each unknown in the factor's order
   std::vector<std::uint32_t> start_;  ///< of each column in rows_, and the end
   std::vector<std::uint32_t> rows_;
-  std::vector<float> values_;          ///< of L below its diagonal of ones
+  std::vector<float> values_;           ///< of L below its diagonal of ones
   std::vector<float> inverseDiagonal_;  ///< 1 / D
 };
 

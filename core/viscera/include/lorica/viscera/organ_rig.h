@@ -53,8 +53,8 @@ struct OrganRig {
 OrganRig bindOrgan(geometry::TriangleMesh rest, const std::string& name, const parenting::BodyRig& body,
                    const OrganOptions& options, base::Threads threads);
 
-/// The organ's vertices in a pose; Deformer::lattice for OrganModel::dynamic. At rest every vertex keeps its bits, in every model.
-/// \pre posed.size() == organ.rest.positions.size()
+/// The organ's vertices in a pose; Deformer::lattice for OrganModel::dynamic. At rest every vertex keeps its bits, in
+/// every model. \pre posed.size() == organ.rest.positions.size()
 void poseOrgan(const OrganRig& organ, OrganModel model, const parenting::BodyRig& body,
                const parenting::PosedBody& pose, std::span<geometry::Vec3f> posed, base::Threads threads);
 
