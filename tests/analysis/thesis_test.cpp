@@ -239,31 +239,34 @@ class ThesisFigures : public testing::Test {
     std::string pose;
     ModelDeformation deformation;
   };
-  static const LoadedStudy& study() {
-    static const LoadedStudy made = [] {
-      study::Study sample = templateNamed("sample");
-      // The thesis' lungs are one model on one joint; the lowest joint of the chest carries both.
-      for (study::Organ& organ : sample.organs) {
-        if (organ.name.starts_with("lung")) {
-          organ.joint = "spine_L1L2";
-        }
+  /// The sample with its lungs on the nearest joint, or on one that the whole chest hangs on: a skeleton with few
+  /// joints in its spine, as the thesis', has no nearer one.
+  static LoadedStudy sample(bool lungsOnLumbarSpine) {
+    study::Study made = templateNamed("sample");
+    for (study::Organ& organ : made.organs) {
+      if (lungsOnLumbarSpine && organ.name.starts_with("lung")) {
+        organ.joint = "spine_L1L2";
       }
-      return loaded(sample);
-    }();
+    }
+    return loaded(made);
+  }
+  static const LoadedStudy& study() {
+    static const LoadedStudy made = sample(false);
+    return made;
+  }
+  static std::vector<std::vector<Twist>> twistsOf(const LoadedStudy& study) {
+    const StudyAudit audit(study, {});
+    std::vector<std::vector<Twist>> made(allModels.size());
+    for (const std::string pose : {"belly_twist@1", "belly_twist@3", "lateral_twist@1", "lateral_twist@3"}) {
+      const PosedScene scene(study, allModels, resolvePose(study, pose).pose, raycast::SceneUse::manyRays, {});
+      for (std::size_t m = 0; m < allModels.size(); ++m) {
+        made[m].push_back({pose, audit.measure(scene, m, {})});
+      }
+    }
     return made;
   }
   static const std::vector<Twist>& twists(std::size_t model) {
-    static const std::vector<std::vector<Twist>> all = [] {
-      const StudyAudit audit(study(), {});
-      std::vector<std::vector<Twist>> made(allModels.size());
-      for (const std::string pose : {"belly_twist@1", "belly_twist@3", "lateral_twist@1", "lateral_twist@3"}) {
-        const PosedScene scene(study(), allModels, resolvePose(study(), pose).pose, raycast::SceneUse::manyRays, {});
-        for (std::size_t m = 0; m < allModels.size(); ++m) {
-          made[m].push_back({pose, audit.measure(scene, m, {})});
-        }
-      }
-      return made;
-    }();
+    static const std::vector<std::vector<Twist>> all = twistsOf(study());
     return all[model];
   }
   static std::size_t organ(const std::string& name) {
@@ -273,9 +276,10 @@ class ThesisFigures : public testing::Test {
   }
   /// The largest of a number over the twists, printed.
   template <class Number>
-  static double worst(const std::string& what, std::size_t model, const Number& number) {
+  static double worst(const std::string& what, std::size_t model, const std::vector<Twist>& rows,
+                      const Number& number) {
     double largest = 0.0;
-    for (const Twist& twist : twists(model)) {
+    for (const Twist& twist : rows) {
       const double value = number(twist.deformation.audit);
       fmt::print("{:<15} {:<15} {:<45} {:8.2f}\n", viscera::name(allModels[model]), twist.pose, what, value);
       largest = std::max(largest, value);
@@ -294,21 +298,23 @@ class ThesisFigures : public testing::Test {
     return nullptr;
   }
   static double lungOutside(std::size_t model) {
-    return worst("lungs outside the skin, mm", model, [](const viscera::PoseAudit& audit) {
+    static const std::vector<std::vector<Twist>> all = twistsOf(sample(true));
+    return worst("lungs outside the skin, mm", model, all[model], [](const viscera::PoseAudit& audit) {
       return 1e3 *
              std::max(*audit.organs[organ("lung_left")].protrusion, *audit.organs[organ("lung_right")].protrusion);
     });
   }
   static double lungInLiver(std::size_t model) {
-    return worst("right lung in the liver beyond rest, cm3", model, [](const viscera::PoseAudit& audit) {
+    return worst("right lung in the liver beyond rest, cm3", model, twists(model), [](const viscera::PoseAudit& audit) {
       const auto* found = contact(audit, "lung_right", "liver");
       return found != nullptr ? 1e6 * *found->overlapBeyondRest : 0.0;
     });
   }
   static double gapAtColon(std::size_t model) {
-    return worst("largest gap, small to large intestine, mm", model, [](const viscera::PoseAudit& audit) {
-      return 1e3 * contact(audit, "small_intestine", "large_intestine")->gap->largest;
-    });
+    return worst("largest gap, small to large intestine, mm", model, twists(model),
+                 [](const viscera::PoseAudit& audit) {
+                   return 1e3 * contact(audit, "small_intestine", "large_intestine")->gap->largest;
+                 });
   }
 };
 

@@ -191,6 +191,13 @@ class TaskList {
 
 }  // namespace
 
+namespace {
+
+struct Measuring;
+using Pair = std::pair<std::size_t, std::size_t>;
+
+}  // namespace
+
 struct DeformationAudit::Impl {
   AuditedMesh skin;
   std::vector<AuditedMesh> organs;
@@ -200,7 +207,7 @@ struct DeformationAudit::Impl {
   std::vector<double> restVolume;
   std::vector<std::vector<double>> areas;  ///< of the vertices of every organ
   std::vector<ContactSide> contacts;
-  std::map<std::pair<std::size_t, std::size_t>, double> restOverlap;  ///< m3, of pairs that overlap at rest
+  std::map<Pair, double> restOverlap;  ///< m3, of pairs that overlap at rest
   PoseAudit rest;
   base::Issues issues;
 
@@ -208,6 +215,9 @@ struct DeformationAudit::Impl {
   bool isRest(const Positions& skinNow, const std::vector<const Positions*>& organsNow) const;
   PoseAudit measure(const Positions& skinNow, const std::vector<const Positions*>& organsNow, base::Threads threads,
                     const base::Progress& progress) const;
+  /// Without what concerns other organs.
+  OrganAudit organAudit(const Measuring& m, std::size_t o, const Positions& now) const;
+  void addContacts(const Measuring& m, PoseAudit& audit) const;
 };
 
 namespace {
@@ -363,46 +373,55 @@ PoseAudit DeformationAudit::Impl::measure(const Positions& skinNow, const Organs
   tasks.run(threads, progress);
 
   PoseAudit audit;
-  audit.organs.resize(organs.size());
+  for (std::size_t o = 0; o < organs.size(); ++o) {
+    audit.organs.push_back(organAudit(m, o, *organsNow[o]));
+  }
+  addContacts(m, audit);
+  return audit;
+}
+
+OrganAudit DeformationAudit::Impl::organAudit(const Measuring& m, std::size_t o, const Positions& now) const {
+  OrganAudit organ;
+  organ.basis = basis[o];
+  organ.largestStretch = largestStretch(*organs[o].rest, now);
+  if (m.skin) {
+    OutsideSums sums;
+    for (const OutsideSums& part : m.outside[o]) {
+      sums.add(part);
+    }
+    organ.outsideSurface = sums.area > 0.0 ? sums.outside / sums.area : 0.0;
+    organ.protrusion = sums.deepest;
+  }
+  if (basis[o] == AuditBasis::surface) {
+    return organ;
+  }
+  organ.volume = closedVolume(now, *organs[o].topology);
+  organ.volumeChange = *organ.volume / restVolume[o] - 1.0;
+  organ.overlap = Estimate{};
+  organ.overlapBeyondRest = 0.0;
+  if (m.skin) {
+    std::vector<double> outside;
+    std::vector<double> inside;
+    for (const ColumnSums& grid : m.columns[o]) {
+      outside.push_back(grid.inside - grid.insideBoth);
+      inside.push_back(grid.inside);
+    }
+    organ.outsideShare = ratioOf(outside, inside);
+  }
+  return organ;
+}
+
+void DeformationAudit::Impl::addContacts(const Measuring& m, PoseAudit& audit) const {
   std::vector<GapSums> organGaps(organs.size());
-  std::map<std::pair<std::size_t, std::size_t>, GapSums> pairGaps;
+  std::map<Pair, GapSums> pairGaps;
   for (std::size_t s = 0; s < contacts.size(); ++s) {
     for (const GapSums& sums : m.gaps[s]) {
       organGaps[contacts[s].from].add(sums);
       pairGaps[std::minmax(contacts[s].from, contacts[s].onto)].add(sums);
     }
   }
-  for (std::size_t o = 0; o < organs.size(); ++o) {
-    OrganAudit& organ = audit.organs[o];
-    organ.basis = basis[o];
-    organ.largestStretch = largestStretch(*organs[o].rest, *organsNow[o]);
-    organ.gap = gapOf(organGaps[o]);
-    if (m.skin) {
-      OutsideSums sums;
-      for (const OutsideSums& part : m.outside[o]) {
-        sums.add(part);
-      }
-      organ.outsideSurface = sums.area > 0.0 ? sums.outside / sums.area : 0.0;
-      organ.protrusion = sums.deepest;
-    }
-    if (basis[o] == AuditBasis::surface) {
-      continue;
-    }
-    organ.volume = closedVolume(*organsNow[o], *organs[o].topology);
-    organ.volumeChange = *organ.volume / restVolume[o] - 1.0;
-    organ.overlap = Estimate{};
-    organ.overlapBeyondRest = 0.0;
-    if (m.skin) {
-      std::vector<double> outside;
-      std::vector<double> inside;
-      for (const ColumnSums& grid : m.columns[o]) {
-        outside.push_back(grid.inside - grid.insideBoth);
-        inside.push_back(grid.inside);
-      }
-      organ.outsideShare = ratioOf(outside, inside);
-    }
-  }
   for (std::size_t a = 0; a < organs.size(); ++a) {
+    audit.organs[a].gap = gapOf(organGaps[a]);
     for (std::size_t b = a + 1; b < organs.size(); ++b) {
       ContactAudit contact{a, b, {}, {}, {}};
       const auto gap = pairGaps.find({a, b});
@@ -411,14 +430,14 @@ PoseAudit DeformationAudit::Impl::measure(const Positions& skinNow, const Organs
       }
       const auto atRest = restOverlap.find({a, b});
       if (basis[a] != AuditBasis::surface && basis[b] != AuditBasis::surface) {
-        contact.overlap = pairOverlap(m, a, b);
-        contact.overlapBeyondRest =
-            std::max(0.0, contact.overlap->value - (atRest == restOverlap.end() ? 0.0 : atRest->second));
+        const Estimate overlap = pairOverlap(m, a, b);
+        const double beyond = std::max(0.0, overlap.value - (atRest == restOverlap.end() ? 0.0 : atRest->second));
+        contact.overlap = overlap;
+        contact.overlapBeyondRest = beyond;
         for (const std::size_t o : {a, b}) {
           Estimate& sum = *audit.organs[o].overlap;
-          sum.value += contact.overlap->value;
-          sum.error = std::hypot(sum.error, contact.overlap->error);
-          *audit.organs[o].overlapBeyondRest += *contact.overlapBeyondRest;
+          sum = {sum.value + overlap.value, std::hypot(sum.error, overlap.error)};
+          *audit.organs[o].overlapBeyondRest += beyond;
         }
       }
       const bool overlaps = contact.overlap && contact.overlap->value > 0.0;
@@ -427,7 +446,6 @@ PoseAudit DeformationAudit::Impl::measure(const Positions& skinNow, const Organs
       }
     }
   }
-  return audit;
 }
 
 DeformationAudit::DeformationAudit(AuditedMesh skin, std::vector<AuditedMesh> organs, const AuditOptions& options,
