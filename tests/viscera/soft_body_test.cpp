@@ -26,6 +26,8 @@ using geometry::Vec3f;
 
 constexpr double radius = 0.12;
 constexpr double length = 0.8;
+/// For tests that settle many poses.
+constexpr SoftBodyOptions coarse{.cellMetres = 0.04};
 
 /// A closed cylinder about the y axis, y from 0 to `length`, of rings and rows about 20 mm apart.
 TriangleMesh cylinder() {
@@ -289,7 +291,7 @@ struct AnyColumn {
 RC_GTEST_FIXTURE_PROP(Column, InAnySmoothBendABallStaysInsideAndKeepsItsVolume, ()) {
   const AnyColumn any = AnyColumn::draw(3.0);
   const TriangleMesh ball = geometry::ellipsoid(any.centre, any.size, 2);
-  const SoftBody soft = bind(rig_, {&ball});
+  const SoftBody soft = bind(rig_, {&ball}, coarse);
   const auto pose = posed([&](const Vec3d& p) { return any.map(p); }, [&](double y) { return any.turn(y); });
   const TriangleMesh now = moved(soft, 0, ball, pose);
   RC_LOG() << "centre " << any.centre.transpose() << " size " << any.size.transpose() << " bend " << any.bend
@@ -304,7 +306,7 @@ RC_GTEST_FIXTURE_PROP(Column, InAnySmoothBendABallStaysInsideAndKeepsItsVolume, 
 RC_GTEST_FIXTURE_PROP(Column, InAnyFoldABallStaysInsideAndInOnePiece, ()) {
   const AnyColumn any = AnyColumn::draw(12.0);
   const TriangleMesh ball = geometry::ellipsoid(any.centre, any.size, 2);
-  const SoftBody soft = bind(rig_, {&ball});
+  const SoftBody soft = bind(rig_, {&ball}, coarse);
   const auto pose = posed([&](const Vec3d& p) { return any.map(p); }, [&](double y) { return any.turn(y); });
   const TriangleMesh now = moved(soft, 0, ball, pose);
   RC_LOG() << "centre " << any.centre.transpose() << " size " << any.size.transpose() << " bend " << any.bend
@@ -347,7 +349,7 @@ TEST_F(Column, APoseHasOneAnswerAtAnyNumberOfThreadsAndInAnyOrder) {
 
 TEST_F(Column, TheOrganFollowsThePoseWithoutJumps) {
   const TriangleMesh ball = geometry::ellipsoid({0.02, 0.4, 0}, {0.06, 0.1, 0.05}, 2);
-  const SoftBody soft = bind(rig_, {&ball});
+  const SoftBody soft = bind(rig_, {&ball}, coarse);
   const auto at = [&](double degrees) {
     const double perMetre = degrees * std::numbers::pi / 180.0 / length;
     return moved(
@@ -355,11 +357,11 @@ TEST_F(Column, TheOrganFollowsThePoseWithoutJumps) {
         posed([&](const Vec3d& p) { return bent(p, perMetre); }, [&](double y) { return bentTurn(y, perMetre); }));
   };
   TriangleMesh before = at(0.5);
-  for (double degrees = 1.0; degrees <= 150.0; degrees += 0.5) {
+  for (double degrees = 1.5; degrees <= 150.0; degrees += 1.0) {
     const TriangleMesh now = at(degrees);
     for (std::size_t v = 0; v < ball.positions.size(); ++v) {
-      // Half the column's length times half a degree, and as much again.
-      EXPECT_LT((now.positions[v] - before.positions[v]).norm(), 0.007F) << degrees;
+      // Half the column's length times a degree, and as much again.
+      EXPECT_LT((now.positions[v] - before.positions[v]).norm(), 0.014F) << degrees;
     }
     before = now;
   }
