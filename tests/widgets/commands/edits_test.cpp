@@ -136,6 +136,7 @@ std::vector<Edit> allEdits() {
       {"StudyDescription", [](D& d) { setStudyDescription(d, "two\nlines"); }, Change::general,
        "Description of the study"},
       {"Models", [](D& d) { setModels(d, {OrganModel::dynamic}); }, Change::run, "Organ models"},
+      {"Deformer", [](D& d) { setDeformer(d, study::Deformer::lattice); }, Change::organs, "How organs deform"},
       {"Trials", [](D& d) { setTrials(d, 7); }, Change::run, "Trials"},
       {"Seed", [](D& d) { setSeed(d, 18446744073709551615ULL); }, Change::run, "Seed"},
       {"RunPoses",

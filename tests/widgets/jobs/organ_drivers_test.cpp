@@ -16,13 +16,17 @@ using geometry::Vec3d;
 using geometry::Vec3f;
 using viscera::OrganModel;
 
+analysis::LoadedStudy loaded(study::Deformer deformer) {
+  study::Study study = study::parseStudy(study::templateText("sample"), "sample");
+  study.deformer = deformer;
+  analysis::LoadOptions options;
+  options.allModels = true;
+  return analysis::load(study, "sample.lorica.json", {}, {}, options);
+}
+
+/// Each organ deformed by a lattice of its own.
 const analysis::LoadedStudy& sample() {
-  static const analysis::LoadedStudy study = [] {
-    analysis::LoadOptions options;
-    options.allModels = true;
-    return analysis::load(study::parseStudy(study::templateText("sample"), "sample"), "sample.lorica.json", {}, {},
-                          options);
-  }();
+  static const analysis::LoadedStudy study = loaded(study::Deformer::lattice);
   return study;
 }
 
@@ -132,6 +136,40 @@ TEST(OrganDrivers, EverySiteThatCarriesAControlPointIsAmongThemOnce) {
   }
   const DriverLayout layout = driverLayout(sample(), indexOf("liver"), OrganModel::dynamicThesis);
   EXPECT_EQ(layout.sites, std::vector(wanted.begin(), wanted.end()));
+}
+
+TEST(OrganDrivers, OfASoftBodyAreTheCellsAroundTheOrganAndNoSite) {
+  const analysis::LoadedStudy study = loaded(study::Deformer::softBody);
+  ASSERT_NE(study.softBody, nullptr);
+  const std::size_t liver = indexOf("liver");
+  const auto layout = std::make_shared<const DriverLayout>(driverLayout(study, liver, OrganModel::dynamic));
+  const viscera::Embedding& embedding = study.softBody->embedding(liver);
+  for (const auto& [from, to] : layout->edges) {
+    const Vec3d along = layout->softPlaces[to] - layout->softPlaces[from];
+    ASSERT_NEAR(along.norm(), study.softBody->cell(), 1e-5);
+    ASSERT_NEAR(along.cwiseAbs().maxCoeff(), along.norm(), 1e-5) << "an edge runs along an axis";
+  }
+  const analysis::PosedScene scene(study, {OrganModel::dynamic}, analysis::resolvePose(study, "toe_touch@2").pose,
+                                   raycast::SceneUse::manyFrames, {});
+  const OrganDrivers drivers = poseDrivers(study, liver, layout, scene, {});
+  EXPECT_TRUE(drivers.sites.empty());
+  EXPECT_EQ(drivers.otherSites.size(), study.body->sites().size());
+  // The vertices, blended from the control points that are drawn, are where the organ is.
+  for (std::size_t v = 0; v < scene.organ(liver, 0).size(); ++v) {
+    Vec3d blend = Vec3d::Zero();
+    for (std::size_t c = 0; c < 8; ++c) {
+      const auto& corners = embedding.cellCorners[embedding.cellOf[v]];
+      const auto local = std::lower_bound(layout->softPoints.begin(), layout->softPoints.end(), corners[c]) -
+                         layout->softPoints.begin();
+      double weight = 1.0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double share = embedding.fraction[v][axis];
+        weight *= viscera::cornerDigits[c][static_cast<std::size_t>(axis)] == 1 ? share : 1.0 - share;
+      }
+      blend += weight * drivers.controlPoints[static_cast<std::size_t>(local)].cast<double>();
+    }
+    ASSERT_LT((blend - scene.organ(liver, 0)[v].cast<double>()).norm(), 1e-5);
+  }
 }
 
 TEST(OrganDrivers, RigidOrgansHaveTheSiteOrTheJointThatCarriesThem) {

@@ -19,7 +19,7 @@ int columnOf(Measure measure) {
 
 class AuditTableTest : public testing::Test {
  protected:
-  AuditTableTest() { table_.setData(organTable(twoPoses())); }
+  AuditTableTest() { table_.setTable(organTable(twoPoses())); }
 
   QString at(int row, int column, int role = Qt::DisplayRole) const {
     return table_.index(row, column).data(role).toString();
@@ -35,11 +35,11 @@ class AuditTableTest : public testing::Test {
 TEST_F(AuditTableTest, IsASoundModelWhileItIsFilledFilteredAndEmptied) {
   const QAbstractItemModelTester tester(&table_, QAbstractItemModelTester::FailureReportingMode::Fatal);
   const QAbstractItemModelTester filterTester(&filter_, QAbstractItemModelTester::FailureReportingMode::Fatal);
-  table_.setData(contactTable(twoPoses()));
-  table_.setData(organTable(twoPoses()));
+  table_.setTable(contactTable(twoPoses()));
+  table_.setTable(organTable(twoPoses()));
   filter_.keepWorst(columnOf(Measure::gap));
   filter_.sort(columnOf(Measure::volume), Qt::DescendingOrder);
-  table_.setData(organTable({}));
+  table_.setTable(organTable({}));
   filter_.keepWorst(std::nullopt);
   EXPECT_EQ(filter_.rowCount(), 0);
 }
@@ -85,7 +85,7 @@ TEST_F(AuditTableTest, RowsAreCopiedAsTheyStandInTheFile) {
   EXPECT_EQ(at(5, 0), "veins, small");
 
   AuditTable contacts;
-  contacts.setData(contactTable(tables));
+  contacts.setTable(contactTable(tables));
   ASSERT_EQ(contacts.rowCount(), 4);
   all.resize(4);
   EXPECT_EQ(contacts.csv(all).toStdString(), analysis::contactsCsv(tables));
@@ -94,7 +94,7 @@ TEST_F(AuditTableTest, RowsAreCopiedAsTheyStandInTheFile) {
 TEST_F(AuditTableTest, OrderOfTheRowsOfAnAuditIsThatOfTheFileWhateverOrderItWasMadeIn) {
   analysis::DeformationTables tables = twoPoses();
   std::reverse(tables.rows.begin(), tables.rows.end());
-  table_.setData(organTable(tables));
+  table_.setTable(organTable(tables));
   for (int r = 0; r < table_.rowCount(); ++r) {
     const QByteArray line = table_.csv({r}).split('\n')[1];
     for (int column = 0; column < 3; ++column) {

@@ -165,6 +165,11 @@ void setStudyDescription(StudyDocument& document, const std::string& text) {
          Text::tr("Description of the study"));
 }
 
+void setDeformer(StudyDocument& document, study::Deformer deformer) {
+  change(document, ofStudy("deformer", Change::organs, &study::Study::deformer), deformer,
+         Text::tr("How organs deform"));
+}
+
 void setModels(StudyDocument& document, const std::vector<viscera::OrganModel>& models) {
   change(document, ofStudy("models", Change::run, &study::Study::models), once(models), Text::tr("Organ models"));
 }

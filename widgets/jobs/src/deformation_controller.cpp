@@ -11,6 +11,10 @@ struct DeformationController::Audit {
   std::mutex mutex;
   std::optional<analysis::StudyAudit> audit;
 
+  bool isKnown() {
+    const std::lock_guard lock(mutex);
+    return audit.has_value();
+  }
   const analysis::StudyAudit& get(const base::Progress& progress) {
     const std::lock_guard lock(mutex);
     if (!audit) {
@@ -89,8 +93,9 @@ void DeformationController::start(std::vector<std::string> poses, std::vector<vi
       poses.size() == 1 ? tr("Measuring deformation") : tr("Measuring deformation in %1 poses").arg(poses.size());
   job_ = std::make_unique<Job>(title, [report, audit = audit_, poses = std::move(poses),
                                        models = std::move(models)](const base::Progress& progress) {
-    const analysis::StudyAudit& known = audit->get(progress.part(0.0, restShare));
-    report->tables = measure(*report->study, known, poses, models, progress.part(restShare, 1.0));
+    const double begin = audit->isKnown() ? 0.0 : restShare;
+    const analysis::StudyAudit& known = audit->get(progress.part(0.0, begin));
+    report->tables = measure(*report->study, known, poses, models, progress.part(begin, 1.0));
   });
   connect(job_.get(), &Job::finished, this, [this, report] { Q_EMIT finished(report); });
   connect(job_.get(), &Job::failed, this, &DeformationController::failed);

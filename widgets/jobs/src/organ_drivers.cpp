@@ -1,6 +1,7 @@
 #include "lorica/jobs/organ_drivers.h"
 
 #include <algorithm>
+#include <map>
 
 namespace lorica::jobs {
 
@@ -52,7 +53,7 @@ void addLattice(OrganDrivers& drivers, const OrganRig& organ, const parenting::S
   const std::vector<Vec3f> moved = viscera::offsets(organ.lattice.controlPoints, blends, motion.carry, threads);
   drivers.controlPoints.reserve(moved.size());
   for (std::size_t p = 0; p < moved.size(); ++p) {
-    drivers.controlPoints.push_back(organ.lattice.controlPoints[p].cast<float>() + moved[p]);
+    drivers.controlPoints.emplace_back(organ.lattice.controlPoints[p].cast<float>() + moved[p]);
   }
   drivers.pruned = organ.lattice.pruned;
 }
@@ -71,10 +72,42 @@ std::vector<std::array<std::uint32_t, 2>> cellEdges(std::span<const std::array<s
   return edges;
 }
 
+/// The soft body's cells around an organ. It keeps no places of its control points: the vertices of the organ and their
+/// shares of their cells tell them.
+void layOutSoftBody(DriverLayout& layout, const OrganRig& organ, const viscera::Embedding& embedding) {
+  layout.inSoftBody = true;
+  std::map<std::uint32_t, Vec3d> places;
+  for (std::size_t v = 0; v < embedding.cellOf.size(); ++v) {
+    const auto& corners = embedding.cellCorners[embedding.cellOf[v]];
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      const Vec3d digits(viscera::cornerDigits[c][0], viscera::cornerDigits[c][1], viscera::cornerDigits[c][2]);
+      const Vec3d share = digits - embedding.fraction[v].cast<double>();
+      places.emplace(corners[c], organ.rest.positions[v].cast<double>() + share.cwiseProduct(embedding.cell));
+    }
+  }
+  for (const auto& [point, place] : places) {
+    layout.softPoints.push_back(point);
+    layout.softPlaces.push_back(place);
+  }
+  layout.edges = cellEdges(embedding.cellCorners);
+  const auto local = [&](std::uint32_t point) {
+    return static_cast<std::uint32_t>(std::lower_bound(layout.softPoints.begin(), layout.softPoints.end(), point) -
+                                      layout.softPoints.begin());
+  };
+  for (auto& [from, to] : layout.edges) {
+    from = local(from);
+    to = local(to);
+  }
+}
+
 DriverLayout driverLayout(const analysis::LoadedStudy& study, std::size_t index, OrganModel model) {
   const OrganRig& organ = study.organs[index]->rig;
   DriverLayout layout;
   layout.model = model;
+  if (model == OrganModel::dynamic && study.softBody != nullptr) {
+    layOutSoftBody(layout, organ, study.softBody->embedding(index));
+    return layout;
+  }
   const std::vector<viscera::SiteBlend>& blends = blendsOf(organ, model);
   if (blends.empty()) {
     layout.byJoint = model == OrganModel::staticJoint || !organ.site;
@@ -117,7 +150,12 @@ OrganDrivers poseDrivers(const analysis::LoadedStudy& study, std::size_t index,
       drivers.otherSites.emplace_back((motion.carry[s] * sites[s].rest).cast<float>());
     }
   }
-  if (const auto& blends = blendsOf(organ, layout->model); !blends.empty()) {
+  if (layout->inSoftBody) {
+    for (std::size_t p = 0; p < layout->softPoints.size(); ++p) {
+      drivers.controlPoints.emplace_back(layout->softPlaces[p].cast<float>() +
+                                         scene.softBodyOffsets()[layout->softPoints[p]]);
+    }
+  } else if (const auto& blends = blendsOf(organ, layout->model); !blends.empty()) {
     addLattice(drivers, organ, motion, blends, threads);
   } else if (!layout->byJoint) {
     const auto carry = parenting::carry(*organ.site, triangles, pose.skin);

@@ -49,9 +49,9 @@ QString written(double value, int decimals) {
 
 AuditTable::AuditTable(QObject* parent) : QAbstractTableModel(parent) {}
 
-void AuditTable::setData(AuditTableData data) {
+void AuditTable::setTable(AuditTableData table) {
   beginResetModel();
-  data_ = std::move(data);
+  data_ = std::move(table);
   endResetModel();
 }
 

@@ -314,8 +314,8 @@ void DeformationPanel::showReport(Report report) {
     const QScopedValueRollback<bool> guard(following_, true);
     const analysis::DeformationTables none;
     const analysis::DeformationTables& tables = report_ == nullptr ? none : report_->tables;
-    organs_.table->setData(models::organTable(tables));
-    contacts_.table->setData(models::contactTable(tables));
+    organs_.table->setTable(models::organTable(tables));
+    contacts_.table->setTable(models::contactTable(tables));
   }
   updateRows();
   for (const Sheet& sheet : {organs_, contacts_}) {

@@ -26,6 +26,18 @@ void fillStudy(PropertyForm& form) {
   form.section(Text::tr("Run"));
   addRunRows(form);
   form.section(Text::tr("Body"));
+  using study::Deformer;
+  form.choice(
+      {"deformer", Text::tr("Organs deform"), Text::tr("What the model \"Dynamic\" stands for")},
+      [] {
+        return std::vector<Choice>{
+            {Text::tr("As one soft body"), QString::number(int(Deformer::softBody)),
+             Text::tr("All together: they keep their volume and their contacts, and stay inside the skin")},
+            {Text::tr("Each by itself"), QString::number(int(Deformer::lattice)),
+             Text::tr("By a lattice that follows blended interior sites: plain, and several times faster")}};
+      },
+      [&document] { return QString::number(int(document.study().deformer)); },
+      [&document](const QString& id) { commands::setDeformer(document, Deformer(id.toInt())); });
   form.fact({"spacing", Text::tr("Interior sites")},
             [&document] { return Text::tr("%1 mm apart").arg(readable(1000.0 * document.study().siteSpacing, 1)); });
 }

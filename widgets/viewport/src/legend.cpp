@@ -1,5 +1,6 @@
 #include "legend.h"
 
+#include <QLinearGradient>
 #include <QPainter>
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@ using Entry = LegendText::Entry;
 
 constexpr int margin = 10;
 constexpr int barPixels = 190;
-constexpr int widest = 400;
+constexpr int widest = 440;
 const QColor paper(255, 255, 255, 225);
 const QColor frameColour(0, 0, 0, 60);
 const QColor ink(40, 44, 50);
@@ -124,12 +125,14 @@ void Legend::paintBar(QPainter& painter, int y) const {
   const int left = margin + fontMetrics().averageCharWidth();
   const QRect strip(left, y, barPixels, lineHeight() - 4);
   const double low = bar.scale.low();
-  for (int x = 0; x < strip.width(); ++x) {
-    const double value = low + (bar.scale.end - low) * (x + 0.5) / strip.width();
-    painter.fillRect(strip.left() + x, strip.top(), 1, strip.height(), bar.scale.at(value));
+  QLinearGradient colours(strip.topLeft(), strip.topRight());
+  constexpr int stops = 64;
+  for (int i = 0; i <= stops; ++i) {
+    const double share = static_cast<double>(i) / stops;
+    colours.setColorAt(share, bar.scale.at(low + (bar.scale.end - low) * share));
   }
   painter.setPen(frameColour);
-  painter.setBrush(Qt::NoBrush);
+  painter.setBrush(colours);
   painter.drawRect(strip);
   y += lineHeight() - 2;
   painter.setPen(ink);

@@ -25,6 +25,10 @@ QString driverNote(const jobs::OrganDrivers& drivers) {
   if (drivers.controlPoints.empty()) {
     return QObject::tr("rigid, carried by one site");
   }
+  if (drivers.layout->inSoftBody) {
+    return QObject::tr("%1 control points of the soft body; no site: the skin moves it")
+        .arg(grouped(drivers.controlPoints.size()));
+  }
   const QString points = drivers.pruned == 0
                              ? QObject::tr("%1 control points").arg(grouped(drivers.controlPoints.size()))
                              : QObject::tr("%1 control points (%2 pruned)")
@@ -36,18 +40,23 @@ QString driverNote(const jobs::OrganDrivers& drivers) {
 void addDrivers(LegendText& legend, const document::Inspection& inspection, const jobs::Frame& frame) {
   using Mark = Entry::Mark;
   legend.title = QString::fromStdString(inspection.organ);
-  const auto add = [&](Driver driver, Mark mark, const QColor& colour, const QString& text) {
-    if (inspection.drivers.testFlag(driver)) {
+  const auto any = [&frame](const auto& has) { return std::any_of(frame.drivers.begin(), frame.drivers.end(), has); };
+  const bool sites = any([](const jobs::OrganDrivers& drivers) { return !drivers.sites.empty(); });
+  const bool frames = sites || any([](const jobs::OrganDrivers& drivers) { return drivers.joint.has_value(); });
+  const bool cells = any([](const jobs::OrganDrivers& drivers) { return !drivers.controlPoints.empty(); });
+  const auto add = [&](Driver driver, Mark mark, const QColor& colour, const QString& text, bool drawn) {
+    if (drawn && inspection.drivers.testFlag(driver)) {
       legend.entries.push_back({mark, colour, text});
     }
   };
-  add(Driver::lattice, Mark::line, latticeColour, QObject::tr("lattice"));
-  add(Driver::controlPoints, Mark::dot, controlPointColour, QObject::tr("control point"));
-  add(Driver::sites, Mark::dot, siteColour, QObject::tr("interior site that drives it"));
-  add(Driver::sites, Mark::smallDot, otherSiteColour, QObject::tr("other interior site"));
-  add(Driver::rays, Mark::line, rayColour, QObject::tr("anchor rays of the site in its middle"));
-  add(Driver::rays, Mark::line, otherRayColour, QObject::tr("anchor rays of the others"));
-  add(Driver::frames, Mark::axes, Qt::black, QObject::tr("reference frames of sites or joint"));
+  add(Driver::lattice, Mark::line, latticeColour, QObject::tr("lattice"), cells);
+  add(Driver::controlPoints, Mark::dot, controlPointColour, QObject::tr("control point"), cells);
+  add(Driver::sites, Mark::dot, siteColour, QObject::tr("interior site that drives it"), sites);
+  add(Driver::sites, Mark::smallDot, otherSiteColour,
+      sites ? QObject::tr("other interior site") : QObject::tr("interior site"), true);
+  add(Driver::rays, Mark::line, rayColour, QObject::tr("anchor rays of the site in its middle"), sites);
+  add(Driver::rays, Mark::line, otherRayColour, QObject::tr("anchor rays of the others"), sites);
+  add(Driver::frames, Mark::axes, Qt::black, QObject::tr("reference frames of sites or joint"), frames);
   for (const jobs::OrganDrivers& drivers : frame.drivers) {
     const QString note = driverNote(drivers);
     legend.notes << (frame.drivers.size() == 1

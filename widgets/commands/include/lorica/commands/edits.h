@@ -28,6 +28,8 @@ void setDescription(StudyDocument& document, const ItemRef& item, const std::str
 /// that for the new person; one that was put in by hand stays. \pre the study is one of the built-in human, and a body can be made for the
 /// person (manikin::checkPerson())
 void setPerson(StudyDocument& document, const human::Person& person);
+/// What the model `dynamic` stands for.
+void setDeformer(StudyDocument& document, study::Deformer deformer);
 void setModels(StudyDocument& document, const std::vector<viscera::OrganModel>& models);
 /// 1 to 100000.
 void setTrials(StudyDocument& document, std::uint32_t trials);

@@ -20,6 +20,11 @@ struct DriverLayout {
   std::vector<std::uint32_t> sites;                 ///< sites that carry a control point, rising
   std::size_t middle = 0;                           ///< index into `sites` of that nearest to the organ's middle
   bool byJoint = false;                             ///< one joint carries it, rigidly
+  /// For an organ that is part of the soft body: the cells of it that hold a vertex of the organ, with their control
+  /// points at rest, metres. The skin moves them, no site.
+  bool inSoftBody = false;
+  std::vector<std::uint32_t> softPoints;    ///< control points of the soft body, rising; `edges` are into these
+  std::vector<geometry::Vec3d> softPlaces;  ///< where those are at rest
 };
 
 /// A place with the axes of its reference frame. Metres.
@@ -44,12 +49,12 @@ struct OrganDrivers {
   std::string jointName;
 };
 
-/// \param organ index into the study's. Thread-safe. Cost: a sort of the cells' edges.
-DriverLayout driverLayout(const analysis::LoadedStudy& study, std::size_t organ, viscera::OrganModel model);
+/// \param index of the organ in the study. Thread-safe. Cost: a sort of the cells' edges.
+DriverLayout driverLayout(const analysis::LoadedStudy& study, std::size_t index, viscera::OrganModel model);
 
-/// \param organ index into the study's \param layout of this organ \param scene shows the study
+/// \param index of the organ in the study \param layout of this organ \param scene shows the study
 /// Thread-safe. Cost: that of posing the control points once more.
-OrganDrivers poseDrivers(const analysis::LoadedStudy& study, std::size_t organ,
+OrganDrivers poseDrivers(const analysis::LoadedStudy& study, std::size_t index,
                          std::shared_ptr<const DriverLayout> layout, const analysis::PosedScene& scene,
                          base::Threads threads);
 

@@ -71,7 +71,7 @@ class AuditTable : public QAbstractTableModel {
 
   explicit AuditTable(QObject* parent = nullptr);
 
-  void setData(AuditTableData data);
+  void setTable(AuditTableData table);
   const AuditTableData& table() const { return data_; }
   int modelColumn() const { return data_.textColumns - 2; }
   int poseColumn() const { return data_.textColumns - 1; }
