@@ -33,6 +33,18 @@ TEST_F(Commands, TemplatesAreListedPrintedAndSound) {
   EXPECT_TRUE(seen.contains("sample"));
 }
 
+TEST_F(Commands, RunTellsAllOfOneShotAndWritesEveryShot) {
+  writeSample();
+  const Outcome report = run("run s.lorica.json --pose rest --shot-report front:1:17");
+  ASSERT_EQ(report.code, 0) << report.err;
+  EXPECT_TRUE(report.out.starts_with("shot front:1:17, pose rest\n")) << report.out;
+  expectOneClearLine(run("run s.lorica.json --pose rest --shot-report rear:1:17"), {"no source named \"rear\""});
+  expectOneClearLine(run("run s.lorica.json --pose rest --shot-report front:1"), {"SOURCE:TRIAL:SHOT"});
+  const Outcome hits = run("run s.lorica.json --out out --pose rest --trials 1 --shots 500 --hits csv --quiet");
+  ASSERT_EQ(hits.code, 0) << hits.err;
+  EXPECT_TRUE(read("out/hits.csv").starts_with("source,pose,trial,shot,order,structure,"));
+}
+
 TEST_F(Commands, RunLeavesThreeFilesWithThePromisedColumns) {
   writeSample();
   const Outcome outcome = run("run s.lorica.json --out out --pose rest --trials 2 --shots 2000");
