@@ -157,7 +157,7 @@ PlateSpec singleCurve() {
 
 /// Where the plate's own y axis points: along the middle of its front face.
 Vec3d uprightOf(const geometry::TriangleMesh& placed) {
-  const geometry::TriangleMesh own = plate(mediumSapi());
+  const geometry::TriangleMesh own = plate(singleCurve());
   std::vector<std::size_t> middle;
   for (std::size_t v = 0; v < own.positions.size(); ++v) {
     if (std::abs(own.positions[v].x()) < 1e-6F && own.positions[v].z() > 0.0F) {

@@ -119,7 +119,7 @@ TEST(Plate, IsOneClosedManifoldOutwardPieceOfAboutTwoThousandEvenTriangles) {
 }
 
 TEST(Plate, HasTheWidthHeightAndTopEdgeOfItsSpecAboutItsOrigin) {
-  const PlateSpec spec = mediumSapi();
+  const PlateSpec spec = singleCurve();
   const geometry::TriangleMesh mesh = plate(spec);
   const auto box = geometry::bounds(mesh.positions);
   EXPECT_NEAR(box.sizes().x(), spec.width, 1e-6);
@@ -184,6 +184,7 @@ TEST(Plate, BentBothWaysHasItsRadiiOnItsMiddleLinesAndItsThicknessEverywhere) {
   const PlateSpec spec = mediumSapi();
   ASSERT_GT(spec.verticalCurvature, 0.0);
   const geometry::TriangleMesh mesh = plate(spec);
+  // No row of vertices lies at half the height, so the box ends some micrometres before the face does.
   const double foremost = geometry::bounds(mesh.positions).max().z();
   const double axis = foremost - 1.0 / spec.verticalCurvature;
   // A torus: the points of a face are equally far from the circle that the middles of its horizontal arcs run on.
@@ -192,8 +193,8 @@ TEST(Plate, BentBothWaysHasItsRadiiOnItsMiddleLinesAndItsThicknessEverywhere) {
   for (const auto& p : mesh.positions) {
     const double around = std::hypot(static_cast<double>(p.y()), static_cast<double>(p.z()) - axis);
     const double radius = std::hypot(static_cast<double>(p.x()), around - ring);
-    const bool front = std::abs(radius - spec.curvatureRadius) < 1e-6;
-    ASSERT_TRUE(front || std::abs(radius - spec.curvatureRadius + spec.thickness) < 1e-6);
+    const bool front = std::abs(radius - spec.curvatureRadius) < 1e-5;
+    ASSERT_TRUE(front || std::abs(radius - spec.curvatureRadius + spec.thickness) < 1e-5);
     onFront += front ? 1 : 0;
   }
   EXPECT_EQ(2 * onFront, mesh.positions.size());
