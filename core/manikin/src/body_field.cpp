@@ -345,7 +345,7 @@ BodyField::BodyField(const Anthropometry& sizes, const BodyJoints& joints, const
   buttockAxes_ = Vec3d(0.47 * belts.hipHalf, tall(0.088), -0.50 * belts.hip.back);
   const double chestY = d.height("chestheight");
   // No flatter than it is broad on a broad chest.
-  const double bust = std::max(tall(0.062), 0.39 * belts.chestHalf);
+  const double bust = std::max(tall(0.062), 0.37 * belts.chestHalf);
   breast_ = Vec3d(0.50 * belts.chestHalf, chestY + tall(0.004), belts.chest.front - bust);
   breastAxes_ = Vec3d(0.47 * belts.chestHalf, 1.03 * bust, bust);
 

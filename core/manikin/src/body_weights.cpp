@@ -194,7 +194,7 @@ class Weigher {
   /// to the pelvis, lest it follow both.
   double legShare(const Vec3d& mirrored) const {
     const Vec3d& joint = joints_.at[jHip];
-    const double fold = joint.y() - 0.005 * size_ + 0.5 * (mirrored.x() - joint.x());
+    const double fold = joint.y() - 0.025 * size_ + 0.5 * (mirrored.x() - joint.x());
     const double between = std::max(smoothStep(0.0, 0.06 * size_, mirrored.x()),
                                     smoothStep(0.0, 0.05 * size_, crotch_ - 0.04 * size_ - mirrored.y()));
     // Wider in front, where the skin is further from the joint that folds it.
