@@ -48,9 +48,9 @@ Samples samplesInside(const BodyGrid& grid, const geometry::Positions& positions
 /// The sample nearest to a place in a cell.
 std::uint64_t sampleAt(const geometry::Vec3f& fraction);
 
-/// Share of a cell that its samples stand for, and the centroid of that part as fractions of the cell.
-float share(std::uint64_t samples);
-geometry::Vec3f centroid(std::uint64_t samples);
+/// Share of a cell that a set of its samples stands for, and the centroid of that part as fractions of the cell.
+float share(std::uint64_t set);
+geometry::Vec3f centroid(std::uint64_t set);
 
 /// Adds the samples of `inside` that are reached from `seeds` within `steps` from sample to sample, face to face.
 void flood(const BodyGrid& grid, const Samples& inside, int steps, Samples& seeds);
