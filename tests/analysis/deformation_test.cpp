@@ -11,6 +11,7 @@
 #include "lorica/geometry/primitives.h"
 #include "lorica/io/export.h"
 #include "lorica/study/study_file.h"
+#include "temporary_folder.h"
 
 namespace lorica::analysis {
 namespace {
@@ -228,9 +229,8 @@ TEST(DegenerateOrgans, SpoilNothingForTheOthers) {
 }
 
 TEST(DegenerateOrgans, OutsideTheSkinOrLargerThanItAreNamedOnReading) {
-  const fs::path folder = fs::temp_directory_path() / "lorica_degenerate_organs";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const test::TemporaryFolder temporary;
+  const fs::path& folder = temporary.path();
   const auto file = [&](const std::string& name, const geometry::TriangleMesh& mesh) {
     const io::SceneMesh scene{name, "organ", mesh.positions, mesh.triangles};
     io::writeScene(std::span(&scene, 1), io::SceneFormat::ply, folder / (name + ".ply"));
@@ -247,7 +247,6 @@ TEST(DegenerateOrgans, OutsideTheSkinOrLargerThanItAreNamedOnReading) {
       return issue.place == name && issue.text.find("not inside the skin") != std::string::npos;
     })) << name;
   }
-  fs::remove_all(folder);
 }
 
 TEST(DegeneratePoses, CollapsedAnchorsGiveAnIssueAndFiniteOrgans) {

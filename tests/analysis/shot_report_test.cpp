@@ -10,6 +10,7 @@
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
 #include "lorica/study/study_file.h"
+#include "temporary_folder.h"
 
 namespace lorica::analysis {
 namespace {
@@ -37,16 +38,14 @@ std::vector<std::string> fieldsOf(const std::string& line) {
   return fields;
 }
 
-/// A folder that is gone afterwards.
 class Hits : public testing::Test {
  protected:
-  Hits() : folder_(std::filesystem::temp_directory_path() / "lorica_hits_test") {}
-  ~Hits() override { std::filesystem::remove_all(folder_); }
   std::string written(const RunResult& result, HitFormat format, int threads) const {
     writeHits(sample(), result, format, folder_, {threads});
     return base::readFile(folder_ / (format == HitFormat::csv ? "hits.csv" : "hits.vtp"));
   }
-  std::filesystem::path folder_;
+  test::TemporaryFolder temporary_;
+  std::filesystem::path folder_ = temporary_.path() / "hits";
 };
 
 TEST_F(Hits, HaveTheShotsOfTheSummaryForEveryStructure) {

@@ -11,6 +11,7 @@
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
 #include "lorica/study/study_file.h"
+#include "temporary_folder.h"
 
 namespace lorica::analysis {
 namespace {
@@ -84,7 +85,8 @@ TEST(Sources, OfAGridHaveTheNumberOfShotsOfTheirCells) {
 }
 
 TEST(Sources, AListIsReadWithTheStudyAndShotAsItStands) {
-  const auto folder = std::filesystem::temp_directory_path() / "lorica_shot_list";
+  const test::TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
   base::writeFileAtomically(folder / "shots.csv", "x,y,z,az,el\n0,1.25,5,0,0\n0,5,5,0,0\n5,1.25,0,90,0\n");
   study::Study listed = sample().study;
   listed.sources.resize(1);
@@ -101,7 +103,6 @@ TEST(Sources, AListIsReadWithTheStudyAndShotAsItStands) {
   EXPECT_FALSE(row(rows, "listed", "body").coverageInterval().has_value()) << "nothing was drawn at random";
   base::writeFileAtomically(folder / "shots.csv", "x,y,z,az,el\n0,1.25,5,0,zero\n");
   EXPECT_THROW(load(listed, folder / "a.lorica.json", {}, {}, reuse), base::InputError);
-  std::filesystem::remove_all(folder);
 }
 
 std::string complaint(const std::string& sources) {

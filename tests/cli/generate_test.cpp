@@ -142,7 +142,7 @@ TEST_F(Generate, WrongUsageIsOneLineThatNamesTheLimits) {
       {"generate human --sex male --mass 81 --out x", "--stature"},
       {"generate human --sex male --stature 175.5 --mass 81 --out x", "1.40 to 2.10 m"},
       {"generate human --sex male --stature nan --mass 81 --out x", "--stature"},
-      {"generate human --sex male --stature 1.8 --mass 20 --out x", "52 to 145 kg"},
+      {"generate human --sex male --stature 1.8 --mass 20 --out x", "59 to 145 kg"},
       {"generate human --sex male --stature 1.8 --mass 80 --percentile 5 --out x", "--percentile"},
       {"generate human --sex male --percentile 0 --out x", "0.1 to 99.9"},
       {"generate human --sex male --percentile nan --out x", "0.1 to 99.9"},

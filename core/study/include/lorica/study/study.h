@@ -49,9 +49,9 @@ struct MeshSource {
 using LatticeSettings = viscera::LatticeOptions;
 using armor::Carriage;
 using human::Skinning;
-using viscera::Deformer;
 using shotline::Sampler;
 using shotline::Sequence;
+using viscera::Deformer;
 using viscera::OrganModel;
 
 struct Organ {
@@ -215,7 +215,7 @@ struct Study {
   double siteSpacing = 0.04;  ///< metres between interior sites
   Skinning skinning = Skinning::rotationCentres;
   Deformer deformer = Deformer::softBody;  ///< of OrganModel::dynamic
-  std::optional<StopRule> stop;  ///< none: `trials` and no more
+  std::optional<StopRule> stop;            ///< none: `trials` and no more
   Overlap overlap;
   Analyses analyses;
   std::vector<Display> displays;  ///< each structure at most once

@@ -25,8 +25,8 @@ void setStudyDescription(StudyDocument& document, const std::string& text);
 /// Of an organ, system, piece, pose or source.
 void setDescription(StudyDocument& document, const ItemRef& item, const std::string& text);
 /// Whom the built-in human stands for. Pieces of the built-in armor that have the areal density of the program take
-/// that for the new person; one that was put in by hand stays. \pre the study is one of the built-in human, and a body can be made for the
-/// person (manikin::checkPerson())
+/// that for the new person; one that was put in by hand stays. \pre the study is one of the built-in human, and a body
+/// can be made for the person (manikin::checkPerson())
 void setPerson(StudyDocument& document, const human::Person& person);
 /// What the model `dynamic` stands for.
 void setDeformer(StudyDocument& document, study::Deformer deformer);

@@ -24,9 +24,8 @@ struct OrganColours {
 };
 
 /// For each vertex the strain of the edges at it: their length together, posed over rest, less 1. That changes smoothly
-/// along a surface and keeps its sign; what one direction gains and another loses cancels out. 0 for vertices without an
-/// edge. Cost: linear.
-/// \pre as many posed as rest vertices
+/// along a surface and keeps its sign; what one direction gains and another loses cancels out. 0 for vertices without
+/// an edge. Cost: linear. \pre as many posed as rest vertices
 std::vector<float> edgeStrain(const geometry::TriangleMesh& rest, std::span<const geometry::Vec3f> posed);
 
 /// For each point how far beyond the skin it lies, metres: 0 where the skin winds around it, as METHOD's signed winding

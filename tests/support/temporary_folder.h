@@ -14,7 +14,7 @@ namespace lorica::test {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "lorica-study-XXXXXX").string();
+    std::string pattern = (std::filesystem::temp_directory_path() / "lorica-test-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr) {
       throw std::system_error(errno, std::generic_category(), pattern);
     }
