@@ -20,7 +20,7 @@ constexpr std::uint32_t kNone = UINT32_MAX;
 /// Cells of the box around all organs, before the empty ones are left out.
 constexpr double kGridLimit = 3e5;
 /// How far a cell counts as filled that an organ reaches at all.
-constexpr float kLeast = 0.3F;
+constexpr float kLeast = 0.5F;
 
 /// The samples of a cell that lie in something.
 struct FilledCell {
