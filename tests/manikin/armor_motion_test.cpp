@@ -169,7 +169,9 @@ TEST_P(ArmorInMotion, StaysOnTheSkinThroughEveryTask) {
       const ArmorPiece& piece = *who.pieces[p].piece;
       print(clip.name, piece.name, strains[p]);
       if (soft(piece)) {
-        EXPECT_GE(strains[p].least, kLeast) << clip.name << " " << piece.name;
+        // Up to half a percent of a piece's vertices may come a little nearer than a millimetre; none enters.
+        EXPECT_GE(strains[p].least, 0.0) << clip.name << " " << piece.name;
+        EXPECT_LE(strains[p].near, 0.005) << clip.name << " " << piece.name;
         EXPECT_LE(strains[p].greatest, 0.030) << clip.name << " " << piece.name;
         EXPECT_LE(strains[p].creased, 0.03) << clip.name << " " << piece.name;
       }

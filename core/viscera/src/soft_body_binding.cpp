@@ -19,8 +19,6 @@ namespace {
 constexpr std::uint32_t kNone = UINT32_MAX;
 /// Cells of the box around all organs, before the empty ones are left out.
 constexpr double kGridLimit = 3e5;
-/// How far a cell counts as filled that an organ reaches at all.
-constexpr float kLeast = 0.5F;
 
 /// The samples of a cell that lie in something.
 struct FilledCell {
@@ -56,7 +54,8 @@ Samples fillWithOrgans(Filling& filling, std::span<const SoftOrgan> organs, base
     for (const Vec3f& position : organ.mesh->positions) {
       const BodyGrid::Spot spot = *filling.grid.locate(position);
       taken[spot.cell] |= sampleAt(spot.fraction);
-      filling.filled[spot.cell] = cells.empty() ? 1.0F : std::max(kLeast, filling.filled[spot.cell]);
+      // A cell that an organ reaches at all is as stiff as a full one: a sliver of it would turn inside out with flesh.
+      filling.filled[spot.cell] = 1.0F;
     }
   }
   return taken;

@@ -10,7 +10,7 @@ using Corners = std::array<std::uint32_t, 8>;
 /// How stiff a cell of flesh is; one that organs fill is 1.
 inline constexpr float kFlesh = 0.2F;
 /// How hard a cell's share of skin pulls.
-inline constexpr float kSkin = 8.0F;
+inline constexpr float kSkin = 15.0F;
 /// How hard the joints hold each control point: enough to tell where the body goes that no skin holds.
 inline constexpr float kHold = 1e-3F;
 /// The strain of a filled cell that an organ's pressure may work against.
