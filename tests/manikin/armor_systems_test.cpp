@@ -330,10 +330,11 @@ TEST(ArmorSizes, GrowWithThePerson) {
         geometry::bounds(pieceOf(dressed(which), "plate_carrier", "plate_front").mesh.positions);
     return box.sizes().y();
   };
-  // A pitched plate is a little lower than it is long: M is 317.5 mm, XS 292.1 mm, XL 355.6 mm.
+  // A pitched plate is lower than it is long: M is 317.5 mm, XS 292.1 mm, XL 355.6 mm; L, of 336.6 mm, would stand
+  // under 320 mm at the large man's pitch.
   EXPECT_NEAR(height(0), 0.3175, 0.012);
   EXPECT_LT(height(1), 0.300);
-  EXPECT_GT(height(2), 0.335);
+  EXPECT_GT(height(2), 0.325);
   EXPECT_DOUBLE_EQ(pieceOf(man(), "full_torso", "plate_front").mass, 1.81);
   EXPECT_DOUBLE_EQ(pieceOf(man(), "full_torso", "side_plate_left").mass, 1.13);
   EXPECT_DOUBLE_EQ(pieceOf(man(), "full_torso", "vest_front").arealDensity, 5.0);
