@@ -8,8 +8,8 @@ usage() {
 usage: sh packaging/run.sh [--headless] [--] [OPTION OF lorica-cli run]...
 
 Installs what is missing, builds Release and writes the sample study to out/sample.lorica.json. With a display it opens
-the study in the window. Without one it runs it, leaves the tables (summary.csv, deformation.csv, ...) and provenance.json in out/ and
-prints the summary.
+the study in the window. Without one it runs it, leaves the tables (summary.csv, deformation.csv, ...) and
+provenance.json in out/ and prints the summary.
 
   --headless  run without a window although there is a display
   --help      print this text
