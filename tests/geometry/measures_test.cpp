@@ -1,7 +1,9 @@
 #include "lorica/geometry/measures.h"
 
 #include <gtest/gtest.h>
+
 #include <rapidcheck/gtest.h>
+#include <numeric>
 
 #include <cmath>
 #include <numbers>
@@ -150,6 +152,15 @@ TEST(VertexNormals, AreZeroWithoutArea) {
   for (const Vec3f& normal : vertexNormals(positions, triangles)) {
     EXPECT_EQ(normal, Vec3f(Vec3f::Zero()));
   }
+}
+
+TEST(Measures, AreasOfTheVerticesAreThoseOfTheCornersAndMakeTheWhole) {
+  const TriangleMesh mesh = box({0, 0, 0}, {1, 2, 3});
+  const std::vector<double> areas = vertexAreas(mesh);
+  ASSERT_EQ(areas.size(), mesh.positions.size());
+  EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), area(mesh), 1e-12);
+  const TriangleMesh one{{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {9, 9, 9}}, {{0, 1, 2}}};
+  EXPECT_EQ(vertexAreas(one), (std::vector<double>{2.0, 2.0, 2.0, 0.0}));
 }
 
 }  // namespace

@@ -19,10 +19,6 @@ using shotline::Tally;
 
 namespace {
 
-std::string number(const std::optional<double>& value) {
-  return value ? fmt::format("{:.6f}", *value) : std::string();
-}
-
 std::string probability(const std::optional<double>& value) {
   return value ? fmt::format("{:.4g}", *value) : std::string();
 }
@@ -214,7 +210,7 @@ std::string comparisonsCsv(const std::vector<Comparison>& rows) {
       "paired_p_holm\n";
   for (const Comparison& row : rows) {
     const auto end = [&](double stats::Interval::*which) {
-      return row.interval ? number((*row.interval).*which) : std::string();
+      return row.interval ? io::csvNumber((*row.interval).*which) : std::string();
     };
     text += io::csvRow(std::array{row.what,
                                   row.source,
@@ -223,17 +219,17 @@ std::string comparisonsCsv(const std::vector<Comparison>& rows) {
                                   row.first,
                                   row.second,
                                   row.structure,
-                                  number(row.coverageFirst),
-                                  number(row.coverageSecond),
+                                  io::csvNumber(row.coverageFirst),
+                                  io::csvNumber(row.coverageSecond),
                                   std::to_string(row.onlyFirst),
                                   std::to_string(row.onlySecond),
                                   probability(row.mcNemarP),
                                   probability(row.mcNemarHolm),
                                   std::to_string(row.trials),
-                                  number(row.difference),
+                                  io::csvNumber(row.difference),
                                   end(&stats::Interval::low),
                                   end(&stats::Interval::high),
-                                  number(row.t),
+                                  io::csvNumber(row.t),
                                   probability(row.pairedP),
                                   probability(row.pairedHolm)});
   }
@@ -255,12 +251,13 @@ std::string piecesCsv(const LoadedStudy& study, const RunResult& result) {
           Count without = count;
           without.shielded -= alone;
           const std::string share =
-              count.shielded == 0 ? "" : number(static_cast<double>(alone) / static_cast<double>(count.shielded));
+              count.shielded == 0 ? ""
+                                  : io::csvNumber(static_cast<double>(alone) / static_cast<double>(count.shielded));
           text += io::csvRow(std::array{result.sources[here.source].source.name, result.poses[here.pose],
                                         std::string(viscera::name(result.models[model])), result.systems[system],
                                         study.pieces[piece]->name, target.name, std::to_string(count.any),
                                         std::to_string(count.shielded), std::to_string(alone),
-                                        number(coverageOf(count)), number(coverageOf(without)), share});
+                                        io::csvNumber(coverageOf(count)), io::csvNumber(coverageOf(without)), share});
         }
       }
     }
@@ -289,9 +286,9 @@ std::string convergenceCsv(const LoadedStudy& study, const RunResult& result) {
         }
         const auto interval = row.coverageInterval();
         text += io::csvRow(std::array{row.source, row.system, row.model, row.pose, row.structure, row.kind,
-                                      std::to_string(trials), std::to_string(row.shots), number(row.coverage()),
-                                      interval ? number(interval->low) : std::string(),
-                                      interval ? number(interval->high) : std::string()});
+                                      std::to_string(trials), std::to_string(row.shots), io::csvNumber(row.coverage()),
+                                      interval ? io::csvNumber(interval->low) : std::string(),
+                                      interval ? io::csvNumber(interval->high) : std::string()});
       }
     }
   }
@@ -324,10 +321,10 @@ std::string systemsCsv(const LoadedStudy& study, const RunResult& result) {
     const auto found = std::find(result.systems.begin(), result.systems.end(), row.system);
     const Sum& sum = sums[static_cast<std::size_t>(found - result.systems.begin())];
     const auto interval = row.coverageInterval();
-    text += io::csvRow(std::array{row.source, row.system, row.model, row.pose, number(sum.area), number(sum.mass),
-                                  row.structure, row.kind, number(row.coverage()),
-                                  interval ? number(interval->low) : std::string(),
-                                  interval ? number(interval->high) : std::string()});
+    text += io::csvRow(std::array{row.source, row.system, row.model, row.pose, io::csvNumber(sum.area),
+                                  io::csvNumber(sum.mass), row.structure, row.kind, io::csvNumber(row.coverage()),
+                                  interval ? io::csvNumber(interval->low) : std::string(),
+                                  interval ? io::csvNumber(interval->high) : std::string()});
   }
   return text;
 }

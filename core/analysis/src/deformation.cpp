@@ -28,6 +28,17 @@ viscera::DeformationAudit auditOf(const LoadedStudy& study, base::Threads thread
 
 }  // namespace
 
+std::vector<const ModelDeformation*> rowsInOrder(const DeformationTables& tables) {
+  std::vector<const ModelDeformation*> rows;
+  for (const ModelDeformation& row : tables.rows) {
+    rows.push_back(&row);
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const ModelDeformation* a, const ModelDeformation* b) {
+    return std::pair(a->model, a->pose) < std::pair(b->model, b->pose);
+  });
+  return rows;
+}
+
 StudyAudit::StudyAudit(const LoadedStudy& study, base::Threads threads, const base::Progress& progress,
                        const viscera::AuditOptions& options)
     : study_(&study), audit_(auditOf(study, threads, progress, options)) {}
@@ -97,18 +108,6 @@ std::optional<double> largestOf(const std::optional<viscera::Gap>& gap) {
   return gap ? std::optional(gap->largest) : std::nullopt;
 }
 
-/// Rows by model, then pose.
-std::vector<const ModelDeformation*> inOrder(const DeformationTables& tables) {
-  std::vector<const ModelDeformation*> rows;
-  for (const ModelDeformation& row : tables.rows) {
-    rows.push_back(&row);
-  }
-  std::stable_sort(rows.begin(), rows.end(), [](const ModelDeformation* a, const ModelDeformation* b) {
-    return std::pair(a->model, a->pose) < std::pair(b->model, b->pose);
-  });
-  return rows;
-}
-
 using Pair = std::pair<std::size_t, std::size_t>;
 
 std::set<Pair> pairsIn(const DeformationTables& tables) {
@@ -147,7 +146,7 @@ std::string deformationCsv(const DeformationTables& tables) {
       "structure,model,pose,volume_change_pct,outside_skin_pct,protrusion_mm,overlap_cm3,gap_mm,inverted_cells,"
       "min_jacobian,max_stretch,overlap_beyond_rest_cm3,gap_max_mm,outside_skin_se_pct,overlap_se_cm3,"
       "outside_surface_pct,basis\n";
-  for (const ModelDeformation* row : inOrder(tables)) {
+  for (const ModelDeformation* row : rowsInOrder(tables)) {
     for (std::size_t o = 0; o < row->audit.organs.size(); ++o) {
       const OrganAudit& organ = row->audit.organs[o];
       const viscera::LatticeQuality& lattice = row->lattices[o];
@@ -169,7 +168,7 @@ std::string contactsCsv(const DeformationTables& tables) {
       "structure_a,structure_b,model,pose,overlap_cm3,gap_mm,overlap_beyond_rest_cm3,overlap_se_cm3,gap_max_mm,"
       "contact_area_cm2\n";
   const std::set<Pair> pairs = pairsIn(tables);
-  for (const ModelDeformation* row : inOrder(tables)) {
+  for (const ModelDeformation* row : rowsInOrder(tables)) {
     for (const Pair& pair : pairs) {
       const ContactAudit contact = contactOf(row->audit, pair);
       text += csvLine({tables.organs[pair.first], tables.organs[pair.second], viscera::name(tables.models[row->model]),

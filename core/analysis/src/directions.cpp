@@ -18,10 +18,6 @@ namespace lorica::analysis {
 
 namespace {
 
-std::string number(const std::optional<double>& value) {
-  return value ? fmt::format("{:.6f}", *value) : std::string();
-}
-
 /// Middles of the cells of a grid of directions, degrees.
 std::vector<std::array<double, 2>> directionsOf(const study::DirectionGrid& grid) {
   std::vector<std::array<double, 2>> directions;
@@ -120,9 +116,9 @@ std::string directionsCsv(const LoadedStudy& study, const RunResult& plan,
           std::array{row.system, row.model, row.pose, row.structure, row.kind, row.injuryClass,
                      fmt::format("{}", here.direction->azimuth), fmt::format("{}", here.direction->elevation),
                      std::to_string(row.shots), std::to_string(row.count.any), std::to_string(row.count.shielded),
-                     number(row.coverage()), interval ? number(interval->low) : std::string(),
-                     interval ? number(interval->high) : std::string(),
-                     number(here.direction->area * row.percentOfShots() / 100.0), number(here.open()),
+                     io::csvNumber(row.coverage()), interval ? io::csvNumber(interval->low) : std::string(),
+                     interval ? io::csvNumber(interval->high) : std::string(),
+                     io::csvNumber(here.direction->area * row.percentOfShots() / 100.0), io::csvNumber(here.open()),
                      std::string(&here == lowest ? "1" : "0"), std::string(&here == largest ? "1" : "0")});
     }
   }

@@ -15,10 +15,6 @@ namespace lorica::analysis {
 
 namespace {
 
-std::string number(const std::optional<double>& value) {
-  return value ? fmt::format("{:.6f}", *value) : std::string();
-}
-
 /// Times of the frames, the first and the last among them.
 std::vector<double> frameTimes(const LoadedStudy& study, const study::MotionSettings& motion) {
   const auto clip =
@@ -101,8 +97,9 @@ std::string motionCsv(const LoadedStudy& study, const MotionResult& result) {
       text += io::csvRow(std::array{
           row.source, row.system, row.model, std::to_string(frame.frame), fmt::format("{:.6f}", frame.seconds),
           row.structure, row.kind, row.injuryClass, std::to_string(row.shots), std::to_string(row.count.any),
-          std::to_string(row.count.shielded), number(row.percentOfShots()), number(row.coverage()),
-          interval ? number(interval->low) : std::string(), interval ? number(interval->high) : std::string()});
+          std::to_string(row.count.shielded), io::csvNumber(row.percentOfShots()), io::csvNumber(row.coverage()),
+          interval ? io::csvNumber(interval->low) : std::string(),
+          interval ? io::csvNumber(interval->high) : std::string()});
     }
   }
   return text;
@@ -165,8 +162,8 @@ std::string motionSummaryCsv(const LoadedStudy& study, const MotionResult& resul
     const Course& course = courses[key];
     const bool hit = course.lowest.has_value();
     text += io::csvRow(std::array{key[0], key[1], key[2], key[3], key[4], std::to_string(course.frames),
-                                  std::to_string(course.points.size()), number(course.mean()), number(course.lowest),
-                                  hit ? std::to_string(course.worst) : std::string(),
+                                  std::to_string(course.points.size()), io::csvNumber(course.mean()),
+                                  io::csvNumber(course.lowest), hit ? std::to_string(course.worst) : std::string(),
                                   hit ? fmt::format("{:.6f}", course.worstTime) : std::string()});
   }
   return text;

@@ -129,16 +129,12 @@ void forEachBlock(const RunResult& result, const Emit& emit) {
   }
 }
 
-std::string number(std::optional<double> value) {
-  return value ? fmt::format("{:.6f}", *value) : std::string();
-}
-
 std::string low(const std::optional<stats::Interval>& interval, double scale = 1.0) {
-  return interval ? number(scale * interval->low) : std::string();
+  return interval ? io::csvNumber(scale * interval->low) : std::string();
 }
 
 std::string high(const std::optional<stats::Interval>& interval, double scale = 1.0) {
-  return interval ? number(scale * interval->high) : std::string();
+  return interval ? io::csvNumber(scale * interval->high) : std::string();
 }
 
 /// What the row's percentage of shots is a share of, and how sure it is.
@@ -173,9 +169,9 @@ void appendTrials(std::vector<std::string>& fields, const ResultRow& row) {
     return;
   }
   const double deviation = moments->standardDeviation();
-  fields.push_back(number(moments->mean()));
-  fields.push_back(number(deviation));
-  fields.push_back(number(deviation / std::sqrt(static_cast<double>(moments->count()))));
+  fields.push_back(io::csvNumber(moments->mean()));
+  fields.push_back(io::csvNumber(deviation));
+  fields.push_back(io::csvNumber(deviation / std::sqrt(static_cast<double>(moments->count()))));
 }
 
 std::string csv(const std::vector<ResultRow>& rows, bool withTrial) {
@@ -190,11 +186,11 @@ std::string csv(const std::vector<ResultRow>& rows, bool withTrial) {
       fields.push_back(std::to_string(row.trial.value_or(0)));
     }
     const std::optional<stats::Interval> interval = row.coverageInterval();
-    for (std::string& field :
-         std::array{row.structure, row.kind, row.injuryClass, std::to_string(row.shots), std::to_string(row.count.any),
-                    std::to_string(row.count.first), std::to_string(row.unprotected()),
-                    std::to_string(row.count.shielded), number(row.percentOfShots()), number(row.percentOfBodyHits()),
-                    number(row.coverage()), low(interval), high(interval)}) {
+    for (std::string& field : std::array{row.structure, row.kind, row.injuryClass, std::to_string(row.shots),
+                                         std::to_string(row.count.any), std::to_string(row.count.first),
+                                         std::to_string(row.unprotected()), std::to_string(row.count.shielded),
+                                         io::csvNumber(row.percentOfShots()), io::csvNumber(row.percentOfBodyHits()),
+                                         io::csvNumber(row.coverage()), low(interval), high(interval)}) {
       fields.push_back(std::move(field));
     }
     appendBasis(fields, row);

@@ -21,6 +21,18 @@ double area(const TriangleMesh& mesh) {
   return doubled / 2.0;
 }
 
+std::vector<double> vertexAreas(const TriangleMesh& mesh) {
+  std::vector<double> areas(mesh.positions.size(), 0.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3d a = mesh.corner(t, 0);
+    const double third = (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a).norm() / 6.0;
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      areas[v] += third;
+    }
+  }
+  return areas;
+}
+
 double signedVolume(const TriangleMesh& mesh) {
   // Summed about the box centre, so that a mesh far from the origin loses no digits.
   const Box3d box = bounds(mesh.positions);

@@ -43,21 +43,9 @@ void forPairs(const SkinWeights& weights, std::size_t vertex, const Take& take) 
   }
 }
 
-std::vector<double> areaAround(const geometry::TriangleMesh& mesh) {
-  std::vector<double> area(mesh.positions.size(), 0.0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3d a = mesh.corner(t, 0);
-    const double share = (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a).norm() / 6.0;
-    for (const std::uint32_t corner : mesh.triangles[t]) {
-      area[corner] += share;
-    }
-  }
-  return area;
-}
-
 /// Centres of the vertices' pairs of joints, not smoothed.
 std::vector<Vec3d> pairCentres(const geometry::TriangleMesh& rest, const SkinWeights& weights) {
-  const std::vector<double> area = areaAround(rest);
+  const std::vector<double> area = geometry::vertexAreas(rest);
   std::map<std::pair<std::uint32_t, std::uint32_t>, Mean> common;
   for (std::size_t v = 0; v < rest.positions.size(); ++v) {
     forPairs(weights, v, [&](const std::pair<std::uint32_t, std::uint32_t>& joints, double product) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "lorica/io/export.h"
 
 namespace lorica::io {
@@ -17,6 +19,10 @@ std::string csvRow(std::span<const std::string> fields) {
     row += '"';
   }
   return row + "\n";
+}
+
+std::string csvNumber(std::optional<double> value) {
+  return value ? fmt::format("{:.6f}", *value) : std::string();
 }
 
 }  // namespace lorica::io

@@ -33,18 +33,6 @@ std::vector<ContactPoint> touching(const AuditMesh& organ, const AuditMesh& othe
 
 }  // namespace
 
-std::vector<double> vertexAreas(const geometry::TriangleMesh& mesh) {
-  std::vector<double> areas(mesh.positions.size(), 0.0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3d a = mesh.corner(t, 0);
-    const double third = (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a).norm() / 6.0;
-    for (const std::uint32_t v : mesh.triangles[t]) {
-      areas[v] += third;
-    }
-  }
-  return areas;
-}
-
 std::vector<ContactSide> findContacts(const std::vector<AuditMesh>& organs,
                                       const std::vector<std::vector<double>>& areas, double contactDistance,
                                       base::Threads threads, const base::Progress& progress) {

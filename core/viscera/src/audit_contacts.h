@@ -22,9 +22,6 @@ struct ContactSide {
   std::vector<ContactPoint> points;
 };
 
-/// A third of the area of the triangles around each vertex, m2.
-std::vector<double> vertexAreas(const geometry::TriangleMesh& mesh);
-
 /// All sides that have points, by `from`, then `onto`.
 /// \param areas of the vertices of every organ
 /// \throw base::Cancelled

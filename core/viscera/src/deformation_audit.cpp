@@ -270,7 +270,7 @@ void DeformationAudit::Impl::lookAtMeshes() {
   }
   for (const AuditedMesh& organ : organs) {
     basis.push_back(basisOf(organ));
-    areas.push_back(vertexAreas(*organ.rest));
+    areas.push_back(geometry::vertexAreas(*organ.rest));
     const bool hasVolume = basis.back() != AuditBasis::surface;
     restVolume.push_back(hasVolume ? closedVolume(organ.rest->positions, *organ.topology) : 0.0);
     if (basis.back() == AuditBasis::surface) {

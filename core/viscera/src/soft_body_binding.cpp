@@ -98,19 +98,6 @@ Filling fill(std::span<const SoftOrgan> organs, const parenting::BodyRig& body, 
   return filling;
 }
 
-/// Third of the area of the triangles around each vertex, m2.
-std::vector<double> vertexAreas(const geometry::TriangleMesh& mesh) {
-  std::vector<double> areas(mesh.positions.size(), 0.0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3d a = mesh.corner(t, 0);
-    const double third = (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a).norm() / 6.0;
-    for (const std::uint32_t v : mesh.triangles[t]) {
-      areas[v] += third;
-    }
-  }
-  return areas;
-}
-
 /// The strongest of many weights, made to sum to 1.
 JointBlend strongest(std::vector<std::pair<float, std::uint32_t>> weights) {
   std::sort(weights.begin(), weights.end(), [](const auto& a, const auto& b) {
@@ -258,7 +245,7 @@ void SoftBody::Binding::embedOrgans() {
 
 void SoftBody::Binding::tieToSkin() {
   const geometry::TriangleMesh& skin = body.body().skin;
-  const std::vector<double> areas = vertexAreas(skin);
+  const std::vector<double> areas = geometry::vertexAreas(skin);
   for (const std::uint32_t v : filling.skinVertices) {
     const BodyGrid::Spot spot = *filling.grid.locate(skin.positions[v]);
     parts.skin.push_back({v, cellNumber[spot.cell], kSkin * static_cast<float>(areas[v] / (parts.cell * parts.cell)),

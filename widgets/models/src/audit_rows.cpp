@@ -29,17 +29,6 @@ QString shown(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-std::vector<const ModelDeformation*> inFileOrder(const DeformationTables& tables) {
-  std::vector<const ModelDeformation*> rows;
-  for (const ModelDeformation& row : tables.rows) {
-    rows.push_back(&row);
-  }
-  std::stable_sort(rows.begin(), rows.end(), [](const ModelDeformation* a, const ModelDeformation* b) {
-    return std::pair(a->model, a->pose) < std::pair(b->model, b->pose);
-  });
-  return rows;
-}
-
 /// Names hold no line ends, so a line is a row.
 QByteArrayList linesOf(const std::string& csv) {
   QByteArrayList lines = QByteArray::fromStdString(csv).split('\n');
@@ -183,7 +172,7 @@ AuditTableData organTable(const DeformationTables& tables) {
   }
   const QByteArrayList lines = linesOf(analysis::deformationCsv(tables));
   data.csvHeader = lines.front();
-  for (const ModelDeformation* from : inFileOrder(tables)) {
+  for (const ModelDeformation* from : analysis::rowsInOrder(tables)) {
     for (std::size_t o = 0; o < from->audit.organs.size(); ++o) {
       AuditRow row;
       row.texts = {shown(tables.organs[o]), shown(viscera::name(tables.models[from->model])),
@@ -217,7 +206,7 @@ AuditTableData contactTable(const DeformationTables& tables) {
   data.csvHeader = lines.front();
   const QString open = Text::tr("One of the two is made of open patches that enclose no volume.");
   const QString noTouch = Text::tr("They did not touch at rest.");
-  for (const ModelDeformation* from : inFileOrder(tables)) {
+  for (const ModelDeformation* from : analysis::rowsInOrder(tables)) {
     for (const Pair& pair : pairs) {
       const ContactAudit contact = contactOf(from->audit, pair);
       const auto& gap = contact.gap;

@@ -54,6 +54,9 @@ struct DeformationTables {
   std::optional<viscera::SkinRoom> restRoom;            ///< none for a skin that does not close
 };
 
+/// The tables' rows by model, then pose: the order of the files.
+std::vector<const ModelDeformation*> rowsInOrder(const DeformationTables& tables);
+
 /// structure, model, pose, volume_change_pct, outside_skin_pct, protrusion_mm, overlap_cm3, gap_mm, inverted_cells,
 /// min_jacobian, max_stretch; then overlap_beyond_rest_cm3, gap_max_mm, outside_skin_se_pct, overlap_se_cm3,
 /// outside_surface_pct, basis. Ordered by model, pose, organ. A blank field: not measurable, see `basis`.

@@ -15,6 +15,9 @@ Box3d bounds(std::span<const Vec3f> points);
 /// Surface area, m2.
 double area(const TriangleMesh& mesh);
 
+/// A third of the area of the triangles around each vertex, m2.
+std::vector<double> vertexAreas(const TriangleMesh& mesh);
+
 /// Volume by the divergence theorem, m3; negative when the mesh is inside out, meaningless when it is open.
 double signedVolume(const TriangleMesh& mesh);
 

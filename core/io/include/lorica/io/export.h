@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,5 +40,8 @@ void writeScene(std::span<const SceneMesh> scene, SceneFormat format, const std:
 /// One row of a CSV file: fields that hold a comma, a quote or a line break are quoted (RFC 4180). It ends with a
 /// line feed.
 std::string csvRow(std::span<const std::string> fields);
+
+/// A number with six decimals as a field; empty when there is none.
+std::string csvNumber(std::optional<double> value);
 
 }  // namespace lorica::io
