@@ -70,6 +70,53 @@ void poseFrame(benchmark::State& state) {
 }
 BENCHMARK(poseFrame)->Unit(benchmark::kMillisecond)->UseRealTime();
 
+parenting::PosedBody bodyAtHalfClip() {
+  const human::Clip& clip = sample().clips.front();
+  return sample().body->pose(human::sample(clip, *sample().body->body().skeleton, clip.duration() / 2), {2});
+}
+
+void poseBody(benchmark::State& state) {
+  const human::Clip& clip = sample().clips.front();
+  const human::Pose pose = human::sample(clip, *sample().body->body().skeleton, clip.duration() / 2);
+  parenting::PosedBody posed;
+  for (auto _ : state) {
+    sample().body->poseInto(pose, {2}, posed);
+  }
+}
+BENCHMARK(poseBody)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void poseArmor(benchmark::State& state) {
+  const human::Clip& clip = sample().clips.front();
+  const human::Pose pose = human::sample(clip, *sample().body->body().skeleton, clip.duration() / 2);
+  const parenting::PosedBody body = sample().body->pose(pose, {2});
+  std::vector<geometry::Positions> posed;
+  for (const auto& piece : sample().pieces) {
+    posed.emplace_back(piece->rig.rest.positions.size());
+  }
+  for (auto _ : state) {
+    const human::SkinningDeltas deltas = armor::pieceDeltas(*sample().body, pose);
+    for (std::size_t p = 0; p < posed.size(); ++p) {
+      armor::posePiece(sample().pieces[p]->rig, body, deltas, posed[p], {2});
+    }
+  }
+}
+BENCHMARK(poseArmor)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void placeOrgans(benchmark::State& state) {
+  const parenting::PosedBody body = bodyAtHalfClip();
+  const std::vector<geometry::Vec3f> offsets = sample().softBody->settle(body, {2});
+  std::vector<geometry::Positions> posed;
+  for (const auto& organ : sample().organs) {
+    posed.emplace_back(organ->rig.rest.positions.size());
+  }
+  for (auto _ : state) {
+    for (std::size_t o = 0; o < posed.size(); ++o) {
+      sample().softBody->place(o, sample().organs[o]->rig.rest.positions, offsets, body, posed[o], {2});
+    }
+  }
+}
+BENCHMARK(placeOrgans)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 void bindOrgans(benchmark::State& state) {
   for (auto _ : state) {
     for (const auto& organ : sample().organs) {
@@ -89,8 +136,7 @@ void bindSoftBody(benchmark::State& state) {
 BENCHMARK(bindSoftBody)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void settleSoftBody(benchmark::State& state) {
-  const human::Clip& clip = sample().clips.front();
-  const auto pose = sample().body->pose(human::sample(clip, *sample().body->body().skeleton, clip.duration() / 2), {2});
+  const parenting::PosedBody pose = bodyAtHalfClip();
   for (auto _ : state) {
     benchmark::DoNotOptimize(sample().softBody->settle(pose, {2}));
   }

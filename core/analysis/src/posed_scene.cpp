@@ -44,24 +44,29 @@ void PosedScene::deform(const std::optional<human::Pose>& pose, base::Threads th
   const parenting::BodyRig& body = *study_->body;
   body.poseInto(pose, threads, body_);
   const human::SkinningDeltas deltas = armor::pieceDeltas(body, pose);
-  for (std::size_t p = 0; p < pieces_.size(); ++p) {
-    armor::posePiece(study_->pieces[p]->rig, body_, deltas, pieces_[p], threads);
-  }
+  // Most pieces and organs are too small to occupy several threads by themselves.
+  base::parallelFor(pieces_.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      armor::posePiece(study_->pieces[p]->rig, body_, deltas, pieces_[p], threads);
+    }
+  });
   const bool soft = study_->softBody != nullptr &&
                     std::find(models_.begin(), models_.end(), viscera::OrganModel::dynamic) != models_.end();
   if (soft) {
     softBody_ = study_->softBody->settle(body_, threads);
   }
-  for (std::size_t slot = 0; slot < organs_.size(); ++slot) {
-    const std::size_t o = slot % study_->organs.size();
-    const viscera::OrganModel model = models_[slot / study_->organs.size()];
-    const viscera::OrganRig& organ = study_->organs[o]->rig;
-    if (soft && model == viscera::OrganModel::dynamic) {
-      study_->softBody->place(o, organ.rest.positions, softBody_, body_, organs_[slot], threads);
-    } else {
-      viscera::poseOrgan(organ, model, body, body_, organs_[slot], threads);
+  base::parallelFor(organs_.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      const std::size_t o = slot % study_->organs.size();
+      const viscera::OrganModel model = models_[slot / study_->organs.size()];
+      const viscera::OrganRig& organ = study_->organs[o]->rig;
+      if (soft && model == viscera::OrganModel::dynamic) {
+        study_->softBody->place(o, organ.rest.positions, softBody_, body_, organs_[slot], threads);
+      } else {
+        viscera::poseOrgan(organ, model, body, body_, organs_[slot], threads);
+      }
     }
-  }
+  });
 }
 
 void PosedScene::move(const std::optional<human::Pose>& pose, base::Threads threads) {

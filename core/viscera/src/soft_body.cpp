@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cell_block.h"
 #include "lorica/base/error.h"
-#include "soft_body_parts.h"
 
 namespace lorica::viscera {
 
@@ -12,7 +12,6 @@ using geometry::RigidTransform;
 using geometry::Vec3d;
 using geometry::Vec3f;
 using Mat3f = Eigen::Matrix3f;
-using Edges = Eigen::Matrix<float, 4, 3>;  // a row of zeros below
 
 namespace {
 
@@ -30,22 +29,6 @@ std::vector<Vec4f> jointTurns(const std::vector<RigidTransform>& joints, const s
     turns[j] = (sided[j] - Eigen::Vector4d::UnitW()).cast<float>();
   }
   return turns;
-}
-
-Mat3f matrixOf(const Vec4f& turn) {
-  return Eigen::Quaternionf(turn).toRotationMatrix();
-}
-
-/// Brings a turn nearer to the rotation of a deformation (Müller et al. 2016, "A robust method to extract the
-/// rotational part of deformations"). Defined, and continuous, for cells turned inside out too.
-void turnTowards(const Mat3f& deformation, Vec4f& turn) {
-  const Mat3f now = matrixOf(turn);
-  const Vec3f moment = now.col(0).cross(deformation.col(0)) + now.col(1).cross(deformation.col(1)) +
-                       now.col(2).cross(deformation.col(2));
-  const float agreement = std::abs(now.cwiseProduct(deformation).sum()) + 1e-3F;
-  const Vec3f half = moment / (2.0F * agreement);
-  const Eigen::Quaternionf step(1.0F, half.x(), half.y(), half.z());
-  turn = (step * Eigen::Quaternionf(turn)).coeffs().normalized();
 }
 
 constexpr int kTurnSteps = 3;
@@ -67,7 +50,7 @@ struct SoftBody::Settling {
 
   void start(const parenting::PosedBody& pose);
   Vec3f offset(std::uint32_t point) const { return offsets[point].head<3>(); }
-  void turnCells();
+  void turnCells(int steps);
   void press();
   void gather();
 };
@@ -81,21 +64,24 @@ void SoftBody::Settling::start(const parenting::PosedBody& pose) {
   wideness.resize(parts.organParts.size());
   excess.resize(parts.organParts.size());
   pressures = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parts.organs));
-  for (const SkinPull& pull : parts.skin) {
-    const Vec3f moved = pull.strength * (pose.skin[pull.vertex] - pull.rest);
-    const std::array<float, 8> weight = cornerWeights(pull.fraction);
-    for (std::size_t c = 0; c < 8; ++c) {
-      pulls[parts.cells[pull.cell][c]].head<3>() += weight[c] * moved;
+  std::vector<Vec4f> moved(parts.skin.size());
+  base::parallelFor(moved.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const SkinPull& pull = parts.skin[i];
+      moved[i] << pull.strength * (pose.skin[pull.vertex] - pull.rest), 0.0F;
     }
-  }
+  });
   base::parallelFor(points, 512, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
+      for (std::uint32_t i = parts.firstPull[p]; i < parts.firstPull[p + 1]; ++i) {
+        pulls[p] += parts.pullsOfPoint[i].weight * moved[parts.pullsOfPoint[i].pull];
+      }
       const JointBlend& blend = parts.pointJoints[p];
       for (std::size_t k = 0; k < JointBlend::limit; ++k) {
         const RigidTransform& carry = pose.joints[blend.joint[k]];
         if (blend.weight[k] > 0.0F && !carry.isIdentity()) {
-          const Vec3d moved = carry * parts.points[p] - parts.points[p];
-          pulls[p].head<3>() += kHold * blend.weight[k] * moved.cast<float>();
+          const Vec3d carried = carry * parts.points[p] - parts.points[p];
+          pulls[p].head<3>() += kHold * blend.weight[k] * carried.cast<float>();
         }
       }
     }
@@ -111,23 +97,34 @@ void SoftBody::Settling::start(const parenting::PosedBody& pose) {
   }
 }
 
-/// Local step: every cell's turn follows its deformation.
-void SoftBody::Settling::turnCells() {
+/// Local step: every cell's turn follows its deformation, and says what the cell wants of its corners.
+void SoftBody::Settling::turnCells(int steps) {
   const auto cell = static_cast<float>(parts.cell);
-  base::parallelFor(parts.cells.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      const Corners& at = parts.cells[c];
-      std::array<Vec3f, 8> u;
-      for (std::size_t k = 0; k < 8; ++k) {
-        u[k] = offset(at[k]);
+  const std::size_t blocks = (parts.cells.size() + CellBlock::size - 1) / CellBlock::size;
+  base::parallelFor(blocks, 16, threads, [&](std::size_t firstBlock, std::size_t endBlock) {
+    CellBlock block;
+    const std::size_t end = std::min(endBlock * CellBlock::size, parts.cells.size());
+    for (std::size_t first = firstBlock * CellBlock::size; first < end; first += CellBlock::size) {
+      const std::size_t count = std::min(CellBlock::size, end - first);
+      for (std::size_t lane = 0; lane < CellBlock::size; ++lane) {
+        // The last block is filled up with its last cell.
+        const std::size_t c = first + std::min(lane, count - 1);
+        block.setTurn(lane, turns[c]);
+        std::array<Vec3f, 8> corners;
+        for (std::size_t k = 0; k < 8 && steps > 0; ++k) {
+          corners[k] = offset(parts.cells[c][k]);
+        }
+        if (steps > 0) {
+          block.setDeformation(lane, corners, cell);
+        }
       }
-      Mat3f deformation;
-      deformation.col(0) = u[1] - u[0] + u[3] - u[2] + u[5] - u[4] + u[7] - u[6];
-      deformation.col(1) = u[4] - u[0] + u[5] - u[1] + u[6] - u[2] + u[7] - u[3];
-      deformation.col(2) = u[2] - u[0] + u[3] - u[1] + u[6] - u[4] + u[7] - u[5];
-      deformation = Mat3f::Identity() + deformation / (4.0F * cell);
-      for (int step = 0; step < kTurnSteps; ++step) {
-        turnTowards(deformation, turns[c]);
+      block.rotate();
+      for (int step = 0; step < steps; ++step) {
+        block.follow();
+      }
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        turns[first + lane] = block.turnOf(lane);
+        wanted[first + lane] = block.wanted(lane, parts.stiffness[first + lane] * cell / 4.0F);
       }
     }
   });
@@ -135,14 +132,12 @@ void SoftBody::Settling::turnCells() {
 
 /// Sets the pressures that make up for the volume the organs lack.
 void SoftBody::Settling::press() {
-  const auto cell = static_cast<float>(parts.cell);
   base::parallelFor(parts.organParts.size(), 128, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const OrganPart& part = parts.organParts[i];
-      const std::array<Vec3f, 8> slope = cornerSlopes(part.centroid, cell);
       Mat3f f = Mat3f::Identity();
       for (std::size_t c = 0; c < 8; ++c) {
-        f += offset(parts.cells[part.cell][c]) * slope[c].transpose();
+        f += offset(parts.cells[part.cell][c]) * part.cornerSlopes[c].transpose();
       }
       wideness[i] << f.col(1).cross(f.col(2)), f.col(2).cross(f.col(0)), f.col(0).cross(f.col(1));
       excess[i] = part.volume * (f.col(0).dot(wideness[i].col(0)) - 1.0F);
@@ -158,13 +153,6 @@ void SoftBody::Settling::press() {
 
 /// Everything that acts on the control points.
 void SoftBody::Settling::gather() {
-  const auto cell = static_cast<float>(parts.cell);
-  base::parallelFor(wanted.size(), 512, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      wanted[c] << (matrixOf(turns[c]) - Mat3f::Identity()) * (parts.stiffness[c] * cell / 4.0F),
-          Eigen::RowVector3f::Zero();
-    }
-  });
   base::parallelFor(forces.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       Vec4f sum = pulls[p];
@@ -186,9 +174,8 @@ void SoftBody::Settling::gather() {
       continue;
     }
     const Mat3f push = pressure * part.volume * wideness[i];
-    const std::array<Vec3f, 8> slope = cornerSlopes(part.centroid, cell);
     for (std::size_t c = 0; c < 8; ++c) {
-      forces[parts.cells[part.cell][c]].head<3>() += push * slope[c];
+      forces[parts.cells[part.cell][c]].head<3>() += push * part.cornerSlopes[c];
     }
   }
 }
@@ -202,10 +189,11 @@ std::vector<Vec3f> SoftBody::settle(const parenting::PosedBody& pose, base::Thre
   LORICA_CHECK(pose.joints.size() == parts.parentJoint.size(), "a pose of the body the organs were bound to");
   Settling settling{parts, threads, {}, {}, {}, {}, {}, {}, {}, {}};
   settling.start(pose);
+  settling.turnCells(0);
   settling.gather();
   parts.solver.solve(settling.forces, settling.offsets);
   for (int round = 0; round < parts.rounds; ++round) {
-    settling.turnCells();
+    settling.turnCells(kTurnSteps);
     settling.press();
     settling.gather();
     parts.solver.solve(settling.forces, settling.offsets);

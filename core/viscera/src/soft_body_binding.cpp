@@ -238,7 +238,8 @@ void SoftBody::Binding::embedOrgans() {
     }
     for (const FilledCell& inside : filling.organs[o]) {
       parts.organParts.push_back({static_cast<std::uint32_t>(o), cellNumber[inside.cell],
-                                  volume * share(inside.samples), centroid(inside.samples)});
+                                  volume * share(inside.samples),
+                                  cornerSlopes(centroid(inside.samples), static_cast<float>(parts.cell))});
     }
   }
 }
@@ -251,6 +252,18 @@ void SoftBody::Binding::tieToSkin() {
     parts.skin.push_back({v, cellNumber[spot.cell], kSkin * static_cast<float>(areas[v] / (parts.cell * parts.cell)),
                           spot.fraction, skin.positions[v]});
   }
+  std::vector<std::vector<PointPull>> pullsOf(parts.points.size());
+  for (std::uint32_t p = 0; p < parts.skin.size(); ++p) {
+    const std::array<float, 8> weight = cornerWeights(parts.skin[p].fraction);
+    for (std::size_t c = 0; c < 8; ++c) {
+      pullsOf[parts.cells[parts.skin[p].cell][c]].push_back({p, weight[c]});
+    }
+  }
+  for (const std::vector<PointPull>& pulls : pullsOf) {
+    parts.firstPull.push_back(static_cast<std::uint32_t>(parts.pullsOfPoint.size()));
+    parts.pullsOfPoint.insert(parts.pullsOfPoint.end(), pulls.begin(), pulls.end());
+  }
+  parts.firstPull.push_back(static_cast<std::uint32_t>(parts.pullsOfPoint.size()));
 }
 
 void SoftBody::Binding::guardOrgans() {
@@ -391,9 +404,8 @@ std::vector<Vec4f> SoftBody::Binding::volumeSlopes(std::size_t organ) const {
   std::vector<Vec4f> slopes(parts.points.size(), Vec4f::Zero());
   for (const OrganPart& part : parts.organParts) {
     if (part.organ == organ) {
-      const std::array<Vec3f, 8> corner = cornerSlopes(part.centroid, static_cast<float>(parts.cell));
       for (std::size_t c = 0; c < 8; ++c) {
-        slopes[parts.cells[part.cell][c]].head<3>() += part.volume * corner[c];
+        slopes[parts.cells[part.cell][c]].head<3>() += part.volume * part.cornerSlopes[c];
       }
     }
   }
@@ -407,10 +419,9 @@ void SoftBody::Binding::measurePressures() {
     std::vector<Vec4f> moved;
     parts.solver.solve(volumeSlopes(pressed), moved);
     for (const OrganPart& part : parts.organParts) {
-      const std::array<Vec3f, 8> corner = cornerSlopes(part.centroid, static_cast<float>(parts.cell));
       for (std::size_t c = 0; c < 8; ++c) {
         gained(part.organ, static_cast<Eigen::Index>(pressed)) +=
-            static_cast<double>(part.volume * corner[c].dot(moved[parts.cells[part.cell][c]].head<3>()));
+            static_cast<double>(part.volume * part.cornerSlopes[c].dot(moved[parts.cells[part.cell][c]].head<3>()));
       }
     }
   }

@@ -36,6 +36,12 @@ struct SkinPull {
   geometry::Vec3f rest = geometry::Vec3f::Zero();
 };
 
+/// What a control point takes from a pull of the skin.
+struct PointPull {
+  std::uint32_t pull = 0;
+  float weight = 0.0F;
+};
+
 /// The place on the skin under which an organ's vertex lies.
 struct SkinGuard {
   std::uint32_t vertex = 0;      ///< of the organ
@@ -57,8 +63,8 @@ Depth depthUnder(const SkinGuard& guard, std::span<const geometry::Vec3f> skin, 
 struct OrganPart {
   std::uint32_t organ = 0;
   std::uint32_t cell = 0;
-  float volume = 0.0F;  ///< m3 at rest
-  geometry::Vec3f centroid = geometry::Vec3f::Zero();
+  float volume = 0.0F;                          ///< m3 at rest
+  std::array<geometry::Vec3f, 8> cornerSlopes;  ///< of the corners' weights at its centroid, per metre
 };
 
 struct SoftBody::Parts {
@@ -71,6 +77,8 @@ struct SoftBody::Parts {
   std::vector<JointBlend> pointJoints;  ///< per control point
   std::vector<Embedding> embeddings;    ///< per organ
   std::vector<SkinPull> skin;
+  std::vector<std::uint32_t> firstPull;  ///< of each control point in pullsOfPoint, and the end
+  std::vector<PointPull> pullsOfPoint;
   std::vector<std::vector<SkinGuard>> guards;  ///< per organ
   std::vector<OrganPart> organParts;
   std::size_t organs = 0;
