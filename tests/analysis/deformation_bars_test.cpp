@@ -143,7 +143,7 @@ double turn(const LoadedStudy& study, const human::Clip& clip, double from, doub
   return largest * 180.0 / M_PI;
 }
 
-/// How an organ's vertices follow the joints from rest to the extreme of a motion.
+/// How an organ's vertices follow the joints from rest through the extremes of a motion.
 struct Continuity {
   double perDegree = 0.0;  ///< mm, largest move of a vertex over the largest turn of a joint, frame by frame
   double jump = 0.0;       ///< mm, what is left of the largest moves when the step is cut to a 16384th of a frame
@@ -152,7 +152,7 @@ struct Continuity {
 Continuity continuity(const LoadedStudy& study, OrganModel model, const std::string& clipName, double end) {
   const human::Clip& clip = clipNamed(study, clipName);
   Mover mover(study, model);
-  constexpr int frames = 20;
+  constexpr int frames = 30;
   Continuity result;
   double steepest = 0.0;
   double from = 0.0;
@@ -244,7 +244,7 @@ std::vector<Bars> measureAndPrint(const LoadedStudy& study, const std::string& b
   for (std::size_t m = 0; m < allModels.size(); ++m) {
     Bars& b = bars[m];
     for (const auto& [clip, shares] : extremes) {
-      const Continuity here = continuity(study, allModels[m], clip, shares[0]);
+      const Continuity here = continuity(study, allModels[m], clip, shares.back());
       b.perDegree = std::max(b.perDegree, here.perDegree);
       b.jump = std::max(b.jump, here.jump);
     }

@@ -1,5 +1,6 @@
 /// \file
-/// Parts of the engine on the scene that `lorica-cli bench` measures, one by one.
+/// Parts of the engine, one by one, on the scene that `lorica-cli bench` measures or on that of a study:
+/// lorica_benchmarks [STUDY [CLIP]] [--benchmark_...].
 
 #include <benchmark/benchmark.h>
 
@@ -7,6 +8,7 @@
 #include "bench_scene.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/shotline/trace.h"
+#include "lorica/study/study_file.h"
 
 namespace {
 
@@ -14,9 +16,21 @@ using namespace lorica;
 
 constexpr std::uint64_t shotsPerRound = 200000;
 
+std::optional<std::filesystem::path> askedStudy;
+std::string askedClip;
+
 const analysis::LoadedStudy& sample() {
-  static const analysis::LoadedStudy study = bench::sampleScene(viscera::Deformer::softBody, {2});
+  static const analysis::LoadedStudy study = askedStudy
+                                                 ? analysis::load(study::loadStudy(*askedStudy), *askedStudy, {2})
+                                                 : bench::sampleScene(viscera::Deformer::softBody, {2});
   return study;
+}
+
+const human::Clip& sampleClip() {
+  const auto& clips = sample().clips;
+  const auto asked =
+      std::find_if(clips.begin(), clips.end(), [](const human::Clip& clip) { return clip.name == askedClip; });
+  return asked == clips.end() ? clips.front() : *asked;
 }
 
 shotline::Source frontOf(const analysis::PosedScene& posed) {
@@ -62,7 +76,7 @@ BENCHMARK(bareAllHits)->Unit(benchmark::kMillisecond)->UseRealTime();
 void poseFrame(benchmark::State& state) {
   analysis::PosedScene posed(sample(), {viscera::OrganModel::dynamic}, std::nullopt, raycast::SceneUse::manyFrames,
                              {2});
-  const human::Clip& clip = sample().clips.front();
+  const human::Clip& clip = sampleClip();
   int frame = 0;
   for (auto _ : state) {
     posed.move(human::sample(clip, *sample().body->body().skeleton, clip.duration() * (frame++ % 30) / 30.0), {2});
@@ -71,12 +85,12 @@ void poseFrame(benchmark::State& state) {
 BENCHMARK(poseFrame)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 parenting::PosedBody bodyAtHalfClip() {
-  const human::Clip& clip = sample().clips.front();
+  const human::Clip& clip = sampleClip();
   return sample().body->pose(human::sample(clip, *sample().body->body().skeleton, clip.duration() / 2), {2});
 }
 
 void poseBody(benchmark::State& state) {
-  const human::Clip& clip = sample().clips.front();
+  const human::Clip& clip = sampleClip();
   const human::Pose pose = human::sample(clip, *sample().body->body().skeleton, clip.duration() / 2);
   parenting::PosedBody posed;
   for (auto _ : state) {
@@ -86,7 +100,7 @@ void poseBody(benchmark::State& state) {
 BENCHMARK(poseBody)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void poseArmor(benchmark::State& state) {
-  const human::Clip& clip = sample().clips.front();
+  const human::Clip& clip = sampleClip();
   const human::Pose pose = human::sample(clip, *sample().body->body().skeleton, clip.duration() / 2);
   const parenting::PosedBody body = sample().body->pose(pose, {2});
   std::vector<geometry::Positions> posed;
@@ -147,4 +161,13 @@ BENCHMARK(bindOrgans)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (argc > 1) {
+    askedStudy = argv[1];
+  }
+  if (argc > 2) {
+    askedClip = argv[2];
+  }
+  benchmark::RunSpecifiedBenchmarks();
+}
