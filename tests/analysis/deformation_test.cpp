@@ -158,6 +158,24 @@ TEST(DeformationTables, ARigidModelPartsWhereALatticeKeepsTheSeal) {
   EXPECT_LT(gapOrOverlap["dynamic"], 0.2 * gapOrOverlap["static_joint"]);
 }
 
+TEST(DeformationTables, SayWhichBarGaveWayAndByHowMuch) {
+  viscera::OrganAudit organ;
+  organ.volume = 100e-6;
+  organ.volumeChange = -0.031;
+  organ.protrusion = 0.0009;
+  organ.overlapBeyondRest = 0.4e-6;
+  viscera::LatticeQuality lattice;
+  EXPECT_EQ(gaveWay("liver", organ, lattice), "volume -3.1 %");
+  EXPECT_EQ(gaveWay("lung_left", organ, lattice), "") << "lungs may give way by 5 %";
+  organ.volumeChange = 0.2;
+  organ.protrusion = 0.0123;
+  organ.overlapBeyondRest = 0.6e-6;
+  lattice.inverted = 3;
+  EXPECT_EQ(gaveWay("lung_left", organ, lattice),
+            "3 cells inverted; protrusion 12.3 mm; overlap 0.6 cm3; volume +20.0 %");
+  EXPECT_EQ(gaveWay("liver", viscera::OrganAudit{}, viscera::LatticeQuality{}), "") << "nothing known, nothing said";
+}
+
 TEST(DeformationTables, AreTheSameBytesAtOneTwoAndFiveThreads) {
   const LoadedStudy study = studyOf(trunk(), twoNeighbours());
   std::vector<std::string> bytes;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 
 #include "lorica/base/error.h"
@@ -135,17 +137,44 @@ ContactAudit contactOf(const viscera::PoseAudit& audit, const Pair& pair) {
   return none;
 }
 
+/// Organs that hold air or food give way to their surroundings.
+bool mayChange(std::string_view organ) {
+  constexpr std::array<std::string_view, 3> hollow{"lung", "stomach", "intestine"};
+  return std::any_of(hollow.begin(), hollow.end(),
+                     [&](std::string_view part) { return organ.find(part) != std::string_view::npos; });
+}
+
 std::string change(double now, double before) {
   return before != 0.0 ? field(now / before - 1.0, percent) : std::string();
 }
 
 }  // namespace
 
+std::string gaveWay(std::string_view organ, const OrganAudit& audit, const viscera::LatticeQuality& lattice) {
+  constexpr double protrusionBar = 1e-3;
+  constexpr double overlapBar = 0.005;
+  const double volumeBar = mayChange(organ) ? 0.05 : 0.02;
+  std::vector<std::string> broken;
+  if (lattice.inverted > 0) {
+    broken.push_back(fmt::format("{} cells inverted", lattice.inverted));
+  }
+  if (audit.protrusion.value_or(0.0) >= protrusionBar) {
+    broken.push_back(fmt::format("protrusion {:.1f} mm", millimetres * *audit.protrusion));
+  }
+  if (audit.volume && audit.overlapBeyondRest.value_or(0.0) > overlapBar * *audit.volume) {
+    broken.push_back(fmt::format("overlap {:.1f} cm3", cubicCentimetres * *audit.overlapBeyondRest));
+  }
+  if (std::abs(audit.volumeChange.value_or(0.0)) > volumeBar) {
+    broken.push_back(fmt::format("volume {:+.1f} %", percent * *audit.volumeChange));
+  }
+  return fmt::format("{}", fmt::join(broken, "; "));
+}
+
 std::string deformationCsv(const DeformationTables& tables) {
   std::string text =
       "structure,model,pose,volume_change_pct,outside_skin_pct,protrusion_mm,overlap_cm3,gap_mm,inverted_cells,"
       "min_jacobian,max_stretch,overlap_beyond_rest_cm3,gap_max_mm,outside_skin_se_pct,overlap_se_cm3,"
-      "outside_surface_pct,basis\n";
+      "outside_surface_pct,basis,gave_way\n";
   for (const ModelDeformation* row : rowsInOrder(tables)) {
     for (std::size_t o = 0; o < row->audit.organs.size(); ++o) {
       const OrganAudit& organ = row->audit.organs[o];
@@ -157,7 +186,8 @@ std::string deformationCsv(const DeformationTables& tables) {
                        field(lattice.smallestJacobian, 1.0), field(organ.largestStretch, 1.0),
                        field(organ.overlapBeyondRest, cubicCentimetres), field(largestOf(organ.gap), millimetres),
                        field(errorOf(organ.outsideShare), percent), field(errorOf(organ.overlap), cubicCentimetres),
-                       field(organ.outsideSurface, percent), viscera::name(organ.basis)});
+                       field(organ.outsideSurface, percent), viscera::name(organ.basis),
+                       gaveWay(tables.organs[o], organ, lattice)});
     }
   }
   return text;

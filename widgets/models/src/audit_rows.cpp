@@ -180,6 +180,10 @@ AuditTableData organTable(const DeformationTables& tables) {
       row.cells = organCells(from->audit.organs[o], from->lattices[o]);
       row.item = {document::ItemKind::organ, tables.organs[o]};
       row.tip = basisTip(from->audit.organs[o].basis);
+      const std::string gaveWay = analysis::gaveWay(tables.organs[o], from->audit.organs[o], from->lattices[o]);
+      if (!gaveWay.empty()) {
+        row.tip += Text::tr("\nGave way: %1").arg(shown(gaveWay));
+      }
       row.csv = lines[static_cast<qsizetype>(data.rows.size()) + 1];
       data.rows.push_back(std::move(row));
     }

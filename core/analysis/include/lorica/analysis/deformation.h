@@ -57,9 +57,15 @@ struct DeformationTables {
 /// The tables' rows by model, then pose: the order of the files.
 std::vector<const ModelDeformation*> rowsInOrder(const DeformationTables& tables);
 
+/// What an organ does against the bars it should keep, and by how much, in the order in which they matter: a lattice
+/// turned inside out, protrusion of a millimetre or more, overlap beyond rest of over 0.5 % of its volume, volume off
+/// by over 2 % (5 % for lungs, stomach and intestines, by their names). Empty when it keeps them all; where the skin
+/// leaves no room, no organ can.
+std::string gaveWay(std::string_view organ, const viscera::OrganAudit& audit, const viscera::LatticeQuality& lattice);
+
 /// structure, model, pose, volume_change_pct, outside_skin_pct, protrusion_mm, overlap_cm3, gap_mm, inverted_cells,
 /// min_jacobian, max_stretch; then overlap_beyond_rest_cm3, gap_max_mm, outside_skin_se_pct, overlap_se_cm3,
-/// outside_surface_pct, basis. Ordered by model, pose, organ. A blank field: not measurable, see `basis`.
+/// outside_surface_pct, basis, gave_way. Ordered by model, pose, organ. A blank field: not measurable, see `basis`.
 std::string deformationCsv(const DeformationTables& tables);
 /// structure_a, structure_b, model, pose, overlap_cm3, gap_mm; then overlap_beyond_rest_cm3, overlap_se_cm3,
 /// gap_max_mm, contact_area_cm2. Ordered by model, pose, pair; every pair that touches or overlaps at rest or in one of
