@@ -139,7 +139,7 @@ ContactAudit contactOf(const viscera::PoseAudit& audit, const Pair& pair) {
 
 /// Organs that hold air or food give way to their surroundings.
 bool mayChange(std::string_view organ) {
-  constexpr std::array<std::string_view, 3> hollow{"lung", "stomach", "intestine"};
+  constexpr std::array<std::string_view, 4> hollow{"lung", "stomach", "intestine", "colon"};
   return std::any_of(hollow.begin(), hollow.end(),
                      [&](std::string_view part) { return organ.find(part) != std::string_view::npos; });
 }
@@ -162,7 +162,9 @@ std::string gaveWay(std::string_view organ, const OrganAudit& audit, const visce
     broken.push_back(fmt::format("protrusion {:.1f} mm", millimetres * *audit.protrusion));
   }
   if (audit.volume && audit.overlapBeyondRest.value_or(0.0) > overlapBar * *audit.volume) {
-    broken.push_back(fmt::format("overlap {:.1f} cm3", cubicCentimetres * *audit.overlapBeyondRest));
+    const double overlap = cubicCentimetres * *audit.overlapBeyondRest;
+    broken.push_back(overlap < 1.0 ? fmt::format("overlap {:.2g} cm3", overlap)
+                                   : fmt::format("overlap {:.1f} cm3", overlap));
   }
   if (std::abs(audit.volumeChange.value_or(0.0)) > volumeBar) {
     broken.push_back(fmt::format("volume {:+.1f} %", percent * *audit.volumeChange));

@@ -59,8 +59,8 @@ std::vector<const ModelDeformation*> rowsInOrder(const DeformationTables& tables
 
 /// What an organ does against the bars it should keep, and by how much, in the order in which they matter: a lattice
 /// turned inside out, protrusion of a millimetre or more, overlap beyond rest of over 0.5 % of its volume, volume off
-/// by over 2 % (5 % for lungs, stomach and intestines, by their names). Empty when it keeps them all; where the skin
-/// leaves no room, no organ can.
+/// by over 2 % (5 % for lungs, stomach, intestines and colon, by their names). Empty when it keeps them all; where the
+/// skin leaves no room, no organ can.
 std::string gaveWay(std::string_view organ, const viscera::OrganAudit& audit, const viscera::LatticeQuality& lattice);
 
 /// structure, model, pose, volume_change_pct, outside_skin_pct, protrusion_mm, overlap_cm3, gap_mm, inverted_cells,
