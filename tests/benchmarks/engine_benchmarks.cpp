@@ -73,16 +73,29 @@ void bareAllHits(benchmark::State& state) {
 }
 BENCHMARK(bareAllHits)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void poseFrame(benchmark::State& state) {
-  analysis::PosedScene posed(sample(), {viscera::OrganModel::dynamic}, std::nullopt, raycast::SceneUse::manyFrames,
-                             {2});
+void poseFrames(benchmark::State& state, const analysis::LoadedStudy& study) {
+  analysis::PosedScene posed(study, {viscera::OrganModel::dynamic}, std::nullopt, raycast::SceneUse::manyFrames, {2});
   const human::Clip& clip = sampleClip();
   int frame = 0;
   for (auto _ : state) {
-    posed.move(human::sample(clip, *sample().body->body().skeleton, clip.duration() * (frame++ % 30) / 30.0), {2});
+    posed.move(human::sample(clip, *study.body->body().skeleton, clip.duration() * (frame++ % 30) / 30.0), {2});
   }
 }
+void poseFrame(benchmark::State& state) {
+  poseFrames(state, sample());
+}
 BENCHMARK(poseFrame)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The same with a plain lattice for each organ.
+void poseFramePlain(benchmark::State& state) {
+  study::Study plain = sample().study;
+  plain.deformer = viscera::Deformer::lattice;
+  analysis::LoadOptions options;
+  options.previous = &sample();
+  const analysis::LoadedStudy study = analysis::load(std::move(plain), askedStudy.value_or("sample"), {2}, {}, options);
+  poseFrames(state, study);
+}
+BENCHMARK(poseFramePlain)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 parenting::PosedBody bodyAtHalfClip() {
   const human::Clip& clip = sampleClip();
