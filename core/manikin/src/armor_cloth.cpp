@@ -25,7 +25,7 @@ double distanceToSegment(const Vec3d& p, const Vec3d& a, const Vec3d& b) {
 double distanceFromWearer(const Vec3d& p, const ArmorLandmarks& marks) {
   Vec3d q = p - Vec3d(marks.midline, 0.0, 0.0);
   q.x() = std::abs(q.x());
-  const double trunkHalf = marks.shoulder.x() + 0.03;
+  const double trunkHalf = std::max(marks.shoulder.x(), marks.flankHalf - 0.01) + 0.03;
   const double top = marks.chin + 0.05;
   const double below = std::max({0.0, marks.crotch - 0.02 - q.y(), q.y() - top, q.x() - trunkHalf});
   const Vec3d middle = marks.shoulder + 0.5 * (marks.elbow - marks.shoulder);

@@ -107,6 +107,20 @@ void findRidge(ArmorLandmarks& marks, const TriangleMesh& trunk) {
   LORICA_CHECK(std::isfinite(marks.shoulderTop), "shoulders beside the neck");
 }
 
+/// Least and most of half the breadths of the trunk between two heights.
+Range halfBreadths(const ArmorLandmarks& marks, const TriangleMesh& trunk, double low, double high) {
+  constexpr int levels = 16;
+  Range halves;
+  for (int i = 0; i <= levels; ++i) {
+    const double y = low + (high - low) * i / levels;
+    if (const auto range = along(trunk, 0, Vec3d(0.0, y, marks.coronal(y)))) {
+      halves.extend(0.5 * (range->high - range->low));
+    }
+  }
+  LORICA_CHECK(halves.low <= halves.high, "a trunk between crotch and armpit");
+  return halves;
+}
+
 double armpitHeight(const Body& body, const BodyShares& shares, const Vec3d& shoulder) {
   // The fold is the lowest place at which arm and trunk meet.
   double lowest = shoulder.y();
@@ -195,6 +209,8 @@ ArmorLandmarks armorLandmarks(const Body& body, const BodyShares& shares) {
   const auto between = along(trunk, 1, Vec3d(marks.midline, 0.0, marks.hemMiddle));
   const double lowest = hip - 0.06 * marks.stature;  // where the thighs touch, the line runs on between them
   marks.crotch = between ? std::max(between->low, lowest) : lowest;
+  marks.waistHalf = halfBreadths(marks, trunk, marks.hem, marks.armpit).low;
+  marks.flankHalf = halfBreadths(marks, trunk, marks.crotch, marks.armpit).high;
   return marks;
 }
 

@@ -36,6 +36,8 @@ struct ArmorLandmarks {
   double crotch = 0.0;        ///< y
   double hemMiddle = 0.0;     ///< z of the middle of the trunk at the hem
   double armpitMiddle = 0.0;  ///< and at the armpit
+  double waistHalf = 0.0;     ///< half the trunk's breadth where it is least between hem and armpit
+  double flankHalf = 0.0;     ///< and where it is most between crotch and armpit
 
   /// z of the plane between front and back at a height.
   double coronal(double y) const;

@@ -33,13 +33,15 @@ double outsideEllipse(double x, double y, double rx, double ry) {
 }
 
 constexpr double kCollarGap = 0.022;  ///< from the neck to a vest's neck line
+constexpr double kCollarReach = kCollarGap + 0.018;
 constexpr double kSideHalf = 0.055;   ///< half a side panel's depth
 constexpr double kUnderSide = 0.03;   ///< how far front and back reach under a side panel
 constexpr double kStrapOver = 0.025;  ///< how far the back's straps reach over the front's
 constexpr double kSideBelowArmpit = 0.038;
-constexpr double kFrontArmhole = 0.028;  ///< how far an armhole reaches below the armpit
-constexpr double kBackArmhole = 0.045;   ///< the lowered arm presses against the back of it
-constexpr double kSideBelowHem = 0.025;  ///< the side panels reach down to the iliac crest
+constexpr double kFrontArmhole = 0.028;    ///< how far an armhole reaches below the armpit
+constexpr double kBackArmhole = 0.045;     ///< the lowered arm presses against the back of it
+constexpr double kCummerbundLeast = 0.02;  ///< of a side's breadth that a cummerbund covers
+constexpr double kSideBelowHem = 0.025;    ///< the side panels reach down to the iliac crest
 
 }  // namespace
 
@@ -113,7 +115,7 @@ Outline Outlines::collar() const {
     const Vec3d throat(marks_.midline, marks_.chin, marks_.notch.z());
     const double high = 0.06;
     const double low = std::clamp(aboveNeckBase(throat) - 0.025, 0.02, high);
-    return both(high + front * (low - high) - aboveNeckBase(p), kCollarGap + 0.018 - outsideNeck(p), 0.01);
+    return both(high + front * (low - high) - aboveNeckBase(p), kCollarReach - outsideNeck(p), 0.01);
   };
 }
 
@@ -132,7 +134,8 @@ Outline Outlines::shoulder(double sign) const {
     const double angle = std::atan2(across.cross(outward).norm(), across.dot(outward));
     const double around = 0.05 * (1.6 - angle);
     const double overVest = 0.012 - outsideArmhole(q, kFrontArmhole);
-    return both(both(length - along, around), overVest);
+    const double besideCollar = outsideNeck(p) - kCollarReach - 0.01;
+    return both(both(length - along, around), both(overVest, besideCollar, 0.01));
   };
 }
 
@@ -173,14 +176,16 @@ Outline Outlines::carrierBack(const armor::PlateSpec& plate, double top) const {
 }
 
 Outline Outlines::cummerbund(double sign, const armor::PlateSpec& plate, double top) const {
-  return [*this, sign, plate, top](const Vec3d& p) {
+  // Beside the plate's bag; on a trunk that is hardly broader than its plate, under it.
+  const double start = std::min(0.5 * plate.width + 0.006, marks_.waistHalf - kCummerbundLeast);
+  return [*this, sign, plate, top, start](const Vec3d& p) {
     const Vec3d q = folded(p);
     if (sign * (p.x() - marks_.midline) < 0.0) {
       return -0.1;
     }
     const double low = std::max(top - plate.height + 0.01, marks_.hem);
     const double high = std::min(low + 0.15, marks_.armpit - kSideBelowArmpit);
-    return both(q.x() - 0.5 * plate.width - 0.006, both(high - q.y(), q.y() - low));
+    return both(q.x() - start, both(high - q.y(), q.y() - low));
   };
 }
 

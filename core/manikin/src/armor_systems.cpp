@@ -203,15 +203,19 @@ ArmorSystem Armorer::fullTorso() const {
   ArmorSystem system{"full_torso", {}};
   system.pieces.push_back(soft("vest_front", front, sheet, true));
   system.pieces.push_back(soft("vest_back", back, sheet, true));
-  system.pieces.push_back(soft("side_left", layerOver(outlines_.side(1.0), {front, back}, t), sheet, true));
-  system.pieces.push_back(soft("side_right", layerOver(outlines_.side(-1.0), {front, back}, t), sheet, true));
+  const Layer left = layerOver(outlines_.side(1.0), {front, back}, t);
+  const Layer right = layerOver(outlines_.side(-1.0), {front, back}, t);
+  system.pieces.push_back(soft("side_left", left, sheet, true));
+  system.pieces.push_back(soft("side_right", right, sheet, true));
   system.pieces.push_back(soft("collar", layerOver(outlines_.collar(), {front, back}, t), sheet, true));
   for (const double sign : {1.0, -1.0}) {
     Layer shoulder = layerOver(outlines_.shoulder(sign), {front, back}, t, kLoose);
     shoulder.onArms = true;
     system.pieces.push_back(soft(sign > 0.0 ? "shoulder_left" : "shoulder_right", shoulder, sheet, true));
   }
-  system.pieces.push_back(soft("groin", layerOver(outlines_.groin(), {front}, t, kLoose), sheet, true));
+  // Of a slim person it reaches as far around as the side panels do.
+  const Layer groin = layerOver(outlines_.groin(), {front, left, right}, t, kLoose);
+  system.pieces.push_back(soft("groin", groin, sheet, true));
   addPlates(system, {armor::PlateSide::front, armor::PlateSide::back, armor::PlateSide::left, armor::PlateSide::right});
   return system;
 }

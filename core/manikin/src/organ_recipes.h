@@ -25,6 +25,10 @@ struct OrganRecipe {
   int blurs = 1;           ///< passes that take what is too thin for the triangles
   bool yielding = false;   ///< its tubes bend around what was there before
   bool besideBone = true;  ///< the spinal canal lies in it
+  /// m3, in the canonical man, of an organ that does not grow with the body: its shape shrinks about `middle` in a
+  /// larger one. 0 for those that do.
+  double canonicalVolume = 0.0;
+  Vec3d middle{0, 0, 0};
 };
 
 /// In the order in which they take their places: firm ones first, the lungs last.

@@ -48,9 +48,10 @@ class Builder {
 
   TriangleMesh make(const OrganRecipe& recipe, double volume) {
     Lattice lattice = Lattice::over(bodyBox(recipe), recipe.cell * frame_.scale());
-    fillShape(lattice, recipe);
+    const double size = sizeInBody(recipe, volume);
+    fillShape(lattice, recipe, size);
     const std::vector<double> limits = limitsOn(lattice, recipe);
-    return finish(std::move(lattice), limits, recipe, volume, 1);
+    return finish(std::move(lattice), limits, recipe, volume, 1, size);
   }
 
   /// Eyeballs at their joints, or where they are in the canonical man, as far forward as the lids allow.
@@ -113,14 +114,14 @@ class Builder {
  private:
   /// The surface of a shape that has grown or shrunk to its volume within its limits.
   TriangleMesh finish(Lattice lattice, const std::vector<double>& limits, const OrganRecipe& recipe, double volume,
-                      std::size_t pieces) {
+                      std::size_t pieces, double size = 1.0) {
     const std::vector<double> shape = lattice.values;
     const double fillet = recipe.fillet * frame_.scale();
     std::vector<double> furrows;
     if (recipe.furrows != nullptr) {
       Lattice cut = lattice;
       sample(cut, frame_, threads_, [&](const Level& level, const Vec3d& p) {
-        return frame_.scale() * recipe.furrows(level.toCanonical(p.x(), p.z()));
+        return frame_.scale() * size * recipe.furrows(sized(level.toCanonical(p.x(), p.z()), recipe, size));
       });
       furrows = std::move(cut.values);
     }
@@ -152,10 +153,21 @@ class Builder {
     }
     swellSmoothly(by);
     TriangleMesh mesh = surfaceOf(lattice, pieces);
-    for (int i = 0; volume > 0.0 && i < 2; ++i) {
-      by += (volume - geometry::signedVolume(mesh)) / geometry::area(mesh);
+    // Only a share of the surface has room to move.
+    double share = 1.0;
+    constexpr int rounds = 8;
+    constexpr double close = 0.003;
+    for (int i = 0; volume > 0.0 && i < rounds; ++i) {
+      const double lacking = volume - geometry::signedVolume(mesh);
+      if (i >= 2 && std::abs(lacking) < close * volume) {
+        break;
+      }
+      const double step = lacking / (share * geometry::area(mesh));
+      by += step;
       swellSmoothly(by);
       mesh = surfaceOf(lattice, pieces);
+      const double gained = lacking - (volume - geometry::signedVolume(mesh));
+      share = std::clamp(share * gained / lacking, 0.25, 1.0);
     }
     // Finer where the triangles were too long for a narrow place.
     const TriangleMesh surface = std::move(mesh);
@@ -216,11 +228,24 @@ class Builder {
     return around;
   }
 
-  void fillShape(Lattice& lattice, const OrganRecipe& recipe) const {
+  /// Size of a recipe's shape as a share of what the body's would be: below 1 where the organ does not grow with it.
+  double sizeInBody(const OrganRecipe& recipe, double volume) const {
+    return recipe.canonicalVolume > 0.0 ? std::min(1.0, std::cbrt(volume / recipe.canonicalVolume) / frame_.scale())
+                                        : 1.0;
+  }
+
+  /// The place in the recipe's shape that comes to lie at a canonical place.
+  static Vec3d sized(const Vec3d& canonical, const OrganRecipe& recipe, double size) {
+    return recipe.middle + (canonical - recipe.middle) / size;
+  }
+
+  void fillShape(Lattice& lattice, const OrganRecipe& recipe, double size) const {
     constexpr double far = 0.02;
     const double scale = frame_.scale();
     sample(lattice, frame_, threads_, [&](const Level& level, const Vec3d& p) {
-      return recipe.shape == nullptr ? far : scale * recipe.shape(level.toCanonical(p.x(), p.z()));
+      return recipe.shape == nullptr
+                 ? far
+                 : scale * size * recipe.shape(sized(level.toCanonical(p.x(), p.z()), recipe, size));
     });
     if (recipe.tubes != nullptr) {
       for (const std::vector<Station>& tube : recipe.tubes()) {
@@ -286,9 +311,9 @@ class Builder {
   /// How far the shape has to grow or to shrink to hold a volume, by bisection.
   template <class Swell>
   static double swellingFor(double volume, const Lattice& lattice, const Swell& swell) {
-    double low = -0.02;
-    double high = 0.03;
-    for (int i = 0; i < 14; ++i) {
+    double low = -0.035;
+    double high = 0.035;
+    for (int i = 0; i < 15; ++i) {
       const double middle = 0.5 * (low + high);
       swell(middle);
       (volumeBelowZero(lattice) < volume ? low : high) = middle;

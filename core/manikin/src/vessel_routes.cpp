@@ -212,7 +212,9 @@ class Settler {
   void pushInside() {
     for (std::size_t n = 0; n < where_.size(); ++n) {
       const Vec3d p = place(n);
-      const double wanted = radius(n) + around_.skinDepth;
+      // Where a branch leaves, the wall is fuller than the tubes.
+      constexpr double fork = 0.002;
+      const double wanted = radius(n) + around_.skinDepth + (near_[n].empty() ? 0.0 : fork);
       const auto found = around_.skin->closest(p, wanted + 0.05);
       if (!found || found->distance < 1e-9) {
         continue;

@@ -19,7 +19,7 @@
 namespace lorica::manikin {
 
 /// Goes up whenever any part of a human comes out other than before, so that none is kept too long.
-inline constexpr std::uint32_t kHumanVersion = 6;
+inline constexpr std::uint32_t kHumanVersion = 7;
 
 struct Human {
   Body body;

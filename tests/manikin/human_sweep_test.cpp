@@ -3,11 +3,13 @@
 
 #include <iostream>
 
+#include "armor_checks.h"
 #include "lorica/geometry/intersections.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/mesh_audit.h"
 #include "lorica/manikin/body.h"
 #include "lorica/manikin/body_measures.h"
+#include "organ_checks.h"
 
 namespace lorica::manikin {
 namespace {
@@ -36,11 +38,8 @@ double measured(const std::vector<BodyMeasure>& measures, const std::string& nam
   return 0.0;
 }
 
-class BodyOfAnySize : public testing::TestWithParam<Size> {};
-
-TEST_P(BodyOfAnySize, IsOneClosedSkinOfItsStatureAndMassWithFreeArms) {
-  const Person person = GetParam().person();
-  const Body body = makeBody(person, {});
+void expectSoundBody(const Body& body) {
+  const Person& person = body.person;
   const geometry::MeshAudit audit = geometry::audit(body.skin);
   EXPECT_EQ(audit.components.size(), 1u);
   EXPECT_TRUE(audit.closed());
@@ -63,7 +62,17 @@ TEST_P(BodyOfAnySize, IsOneClosedSkinOfItsStatureAndMassWithFreeArms) {
                            100.0 * (measured(measures, "chest_breadth") - 1.0));
 }
 
-INSTANTIATE_TEST_SUITE_P(Persons, BodyOfAnySize,
+class HumanOfAnySize : public testing::TestWithParam<Size> {};
+
+// One test for all, as a body takes seconds to make.
+TEST_P(HumanOfAnySize, HasASoundBodyWithItsOrgansInsideAndItsArmorAround) {
+  const test::Dressed who(makeBody(GetParam().person(), {}));
+  expectSoundBody(who.body);
+  test::expectWellDressed(who);
+  test::expectSoundOrgans(who.body, organsOf(who.body));
+}
+
+INSTANTIATE_TEST_SUITE_P(Persons, HumanOfAnySize,
                          testing::Values(Size{Sex::male, 1.45, 0.0}, Size{Sex::male, 1.45, 44.9},
                                          Size{Sex::male, 1.75, 0.0}, Size{Sex::male, 1.75, 33.0},
                                          Size{Sex::male, 1.98, 35.7}, Size{Sex::male, 2.05, 0.0},
