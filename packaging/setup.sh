@@ -10,7 +10,7 @@ set -eu
 build_tools='g++ cmake ninja-build ccache mold pkg-config clang-format clang-tidy git'
 engine='libembree-dev libtinygltf-dev libtbb-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   libspdlog-dev libssl-dev libzip-dev zipcmp zipmerge ziptool libboost-dev libvtk9-dev'
-tests='libgtest-dev librapidcheck-dev libbenchmark-dev'
+tests='libgtest-dev librapidcheck-dev libbenchmark-dev libcgal-dev'
 window='qt6-base-dev libqt6opengl6-dev|qt6-base-dev qt6-svg-dev|libqt6svg6-dev qt6-charts-dev|libqt6charts6-dev
   libmeshoptimizer-dev libgl1-mesa-dri xvfb xauth fonts-dejavu-core poppler-utils dpkg-dev'
 wanted="$build_tools $engine $tests $window"

@@ -125,8 +125,8 @@ int runBenchmarks(const fs::path& json) {
   nlohmann::ordered_json document;
   for (const bench::Ratio& ratio : report.ratios) {
     document["ratios"][ratio.name] = ratio.value;
-    fmt::print("{:<28} {:>8.3f}   bar {} {}   {}\n", ratio.name, ratio.value, ratio.atLeast ? ">=" : "<=", ratio.bar,
-               ratio.meaning);
+    const std::string bar = ratio.bar ? fmt::format("bar {} {}", ratio.atLeast ? ">=" : "<=", *ratio.bar) : "";
+    fmt::print("{:<28} {:>8.3f}   {:<12}  {}\n", ratio.name, ratio.value, bar, ratio.meaning);
   }
   document["scene"] = {{"triangles", report.triangles}, {"rays", report.rays}};
   document["threads"] = report.threads;
@@ -134,6 +134,9 @@ int runBenchmarks(const fs::path& json) {
   for (const auto& [name, value] : report.rates) {
     fmt::print("{:<40} {:>14.1f}\n", name, value);
     document["rates"][name] = value;
+  }
+  for (const std::string& note : report.notes) {
+    fmt::print("{}\n", note);
   }
   fmt::print("scene of {} triangles, {} rays, {} threads; each ratio is the median of interleaved runs\n",
              base::readableCount(report.triangles), base::readableCount(report.rays), report.threads);

@@ -67,6 +67,47 @@ TEST(Run, GivesTheSameBytesAtOneTwoAndFiveThreads) {
   EXPECT_EQ(summaries[0], summaries[2]);
 }
 
+TEST(Run, CutInPartsAndMergedGivesTheBytesOfTheWhole) {
+  const auto tables = [](const RunResult& result) {
+    return summaryCsv(summaryRows(sample(), result)) + trialsCsv(trialRows(sample(), result)) +
+           provenanceJson(sample(), result) + deformationCsv(deformationTables(sample(), result));
+  };
+  RunOptions options = quick();
+  options.shots = 10001;  // no multiple of any number of parts
+  const std::string whole = tables(run(sample(), options));
+  for (const std::uint32_t parts : {1U, 3U}) {
+    std::vector<RunResult> computed;
+    for (std::uint32_t p = 0; p < parts; ++p) {
+      options.part = {p, parts};
+      computed.push_back(run(sample(), options));
+    }
+    EXPECT_EQ(tables(merge(computed)), whole) << parts;
+  }
+}
+
+TEST(Run, WithARuleForStoppingCannotBeCutInParts) {
+  LoadedStudy stopping = sample();
+  stopping.study.stop.emplace();
+  stopping.study.stop->structures = {stopping.organs[0]->name};
+  RunOptions options = quick();
+  options.part = {0, 2};
+  try {
+    planRun(stopping, options);
+    FAIL() << "a part does not see all shots";
+  } catch (const base::InputError& error) {
+    EXPECT_EQ(error.place(), "/stop");
+  }
+}
+
+TEST(Run, PartsOfAnotherCutAreNoWhole) {
+  RunOptions options = quick();
+  options.shots = 100;
+  options.part = {0, 2};
+  const RunResult half = run(sample(), options);
+  EXPECT_ANY_THROW(merge(std::vector{half}));
+  EXPECT_ANY_THROW(merge(std::vector{half, half}));
+}
+
 TEST(Run, LeavesNoShotUnresolved) {
   for (const SourcePoseResult& here : run(sample(), quick()).results) {
     EXPECT_EQ(here.counts.unresolved, 0U);

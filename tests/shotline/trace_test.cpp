@@ -168,6 +168,70 @@ TEST_F(Target, ARunCutInPartsAddsUpToTheWhole) {
   }
 }
 
+TEST_F(Target, ARunOfSeveralBlocksAddsUpToItsParts) {
+  constexpr std::uint64_t shots = CoherentBlock::mostShots + 12345;
+  const TraceResult whole = shoot(shots);
+  TraceResult sum;
+  for (const ShotRange& range : {ShotRange{0, 300000}, ShotRange{300000, shots - 300000}}) {
+    const TraceResult part = trace(scene_, layout_, ShotGenerator(source_, 3, 0), range, {2});
+    sum.tally.add(part.tally);
+    sum.counts.add(part.counts);
+  }
+  EXPECT_EQ(whole.tally.shots(), shots);
+  EXPECT_EQ(sum.tally, whole.tally);
+  EXPECT_EQ(sum.counts, whole.counts);
+}
+
+/// Observer that takes down which shots it was shown, and whether each came with its own ray.
+struct Attendance {
+  const ShotGenerator* shots;
+  std::vector<std::uint64_t> seen;
+  std::uint64_t strangers = 0;
+  Attendance fresh() const { return {shots, {}, 0}; }
+  void see(std::uint64_t shot, const raycast::Ray& ray, std::span<const raycast::Hit> /*hits*/) {
+    seen.push_back(shot);
+    const raycast::Ray own = shots->shot(shot);
+    strangers += own.origin != ray.origin || own.direction != ray.direction ? 1 : 0;
+  }
+  void add(const Attendance& other) {
+    seen.insert(seen.end(), other.seen.begin(), other.seen.end());
+    strangers += other.strangers;
+  }
+};
+
+TEST_F(Target, EveryShotOfEveryKindOfSourceIsSeenOnceWithItsOwnRay) {
+  ParallelBeam beam;
+  beam.azimuth = 0.4;
+  DirectionBand band;
+  band.azimuth = {0.0, 6.28};
+  band.elevation = {-0.2, 0.2};
+  // Shots that are all alike give an order nothing to hold on to.
+  const std::vector<raycast::Ray> alike(9000, {Vec3f(0, 0, 8), Vec3f(0, 0, -1)});
+  ShotList list;
+  list.rays = std::make_shared<const std::vector<raycast::Ray>>(alike);
+  for (const Source& source : {source_, Source{"beam", beam}, Source{"band", band}, Source{"list", list},
+                               Source{"even", band, Sequence::sobol}}) {
+    const ShotGenerator shots(source, 7, 2);
+    for (const ShotRange& range : {ShotRange{0, 1}, ShotRange{17, 4096}, ShotRange{100, 8900}}) {
+      Attendance total{&shots, {}, 0};
+      const raycast::CastCounts counts = observeShots(scene_, shots, range, {3}, {}, total);
+      std::sort(total.seen.begin(), total.seen.end());
+      ASSERT_EQ(total.seen.size(), range.count) << source.name;
+      for (std::uint64_t i = 0; i < range.count; ++i) {
+        ASSERT_EQ(total.seen[i], range.first + i) << source.name;
+      }
+      EXPECT_EQ(total.strangers, 0U) << source.name;
+      EXPECT_EQ(counts.rays, range.count) << source.name;
+    }
+  }
+}
+
+TEST_F(Target, NoShotsGiveNoCounts) {
+  const TraceResult none = shoot(0);
+  EXPECT_EQ(none.tally.shots(), 0U);
+  EXPECT_EQ(none.counts, raycast::CastCounts());
+}
+
 TEST_F(Target, IsStoppedByItsToken) {
   base::Task task;
   task.cancel();

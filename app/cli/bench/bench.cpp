@@ -8,13 +8,13 @@
 
 #include "bare_loops.h"
 #include "bench_scene.h"
+#include "lorica/analysis/hashed_model.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/io/export.h"
-#include "lorica/io/import.h"
 #include "lorica/shotline/trace.h"
-#include "lorica/study/study_file.h"
+#include "tree_loops.h"
 
 namespace lorica::bench {
 
@@ -57,19 +57,21 @@ std::array<double, 3> interleaved(const First& first, const Second& second, cons
 /// Keeps a result alive that nobody reads.
 volatile std::uint64_t sink = 0;
 
-void measureShots(Report& report, const analysis::PosedScene& posed, base::Threads threads,
-                  const base::Progress& progress) {
+shotline::ShotGenerator shotsAt(const analysis::PosedScene& posed) {
   shotline::PointSource source;
   const geometry::Box3d box = geometry::bounds(posed.body().skin);
   source.target = box.center();
   source.position = box.center() + geometry::Vec3d(0, 0, 5);
   const std::span<const geometry::Vec3f> skin(posed.body().skin);
   source.halfAngle = shotline::boundingHalfAngle(source.position, source.target, std::span(&skin, 1));
-  const shotline::ShotGenerator shots({"front", source}, 1, 0);
-  std::vector<raycast::Ray> rays;
-  for (std::uint64_t i = 0; i < rayCount; ++i) {
-    rays.push_back(shots.shot(i));
-  }
+  return {{"front", source}, 1, 0};
+}
+
+void measureShots(Report& report, const analysis::PosedScene& posed, base::Threads threads,
+                  const base::Progress& progress) {
+  const shotline::ShotGenerator shots = shotsAt(posed);
+  std::vector<raycast::Ray> rays(rayCount);
+  shots.shots(0, rays);
   const BareScene bare(posed, false);
   const auto ours = [&] {
     sink = sink + shotline::trace(posed.scene(), posed.layout(), shots, rayCount, threads).tally.body(0).any;
@@ -87,6 +89,36 @@ void measureShots(Report& report, const analysis::PosedScene& posed, base::Threa
   against(
       "shotline_vs_reshoot", 1.25, "the same, per ray shot again from behind each nearest hit",
       [&] { sink = sink + bare.reshoot(rays, threads); }, progress.part(0.5, 1.0));
+}
+
+/// Against the trees of other libraries: fewer rays, one thread on either side.
+void measureTrees(Report& report, const analysis::PosedScene& posed, const base::Progress& progress) {
+  const shotline::ShotGenerator shots = shotsAt(posed);
+  const auto against = [&](const char* name, std::uint64_t count, const char* meaning, const auto& tree,
+                           const base::Progress& share) {
+    std::vector<raycast::Ray> rays(count);
+    shots.shots(0, rays);
+    raycast::Caster caster(posed.scene());
+    std::uint64_t expected = 0;
+    caster.castMany(rays, [&](std::size_t, std::span<const raycast::Hit> hits) { expected += hits.size(); });
+    std::uint64_t found = 0;
+    const auto [ratio, mine, theirs] = interleaved(
+        [&] { sink = sink + shotline::trace(posed.scene(), posed.layout(), shots, count, {1}).tally.body(0).any; },
+        [&] { found = tree.allHits(rays); }, share);
+    report.ratios.push_back({name, 1.0 / ratio, std::nullopt, true, meaning});
+    report.rates.emplace_back(std::string(name) + "_ours_rays_per_s", static_cast<double>(count) / mine);
+    report.rates.emplace_back(std::string(name) + "_tree_rays_per_s", static_cast<double>(count) / theirs);
+    report.rates.emplace_back(std::string(name) + "_ours_hits", static_cast<double>(expected));
+    report.rates.emplace_back(std::string(name) + "_tree_hits", static_cast<double>(found));
+  };
+  if (CgalTree::available()) {
+    against("shotline_vs_cgal_tree", 50000, "shot-line run per CGAL AABB-tree all-intersections ray, one thread each",
+            CgalTree(posed), progress.part(0.0, 0.5));
+  } else {
+    report.notes.emplace_back("no ratio to a CGAL tree: CGAL was not there when this program was built");
+  }
+  against("shotline_vs_vtk_obbtree", 5000, "the same, per ray through a vtkOBBTree of each mesh", VtkTrees(posed),
+          progress.part(0.5, 1.0));
 }
 
 /// One frame of a study against Embree's refit of the same scene.
@@ -140,12 +172,8 @@ void measureImport(Report& report, const analysis::LoadedStudy& study, const bas
       std::filesystem::temp_directory_path() / fmt::format("lorica-bench-{}.glb", ::getpid());
   const io::SceneMesh scene{"body", "body", skin.positions, skin.triangles};
   io::writeScene(std::span(&scene, 1), io::SceneFormat::glb, glb);
-  const auto [ratio, mine, theirs] = interleaved(
-      [&] {
-        sink = sink + study::sha256OfInput(glb).size();
-        sink = sink + io::importModel(glb).parts.size();
-      },
-      [&] { sink = sink + bareParse(glb); }, progress);
+  const auto [ratio, mine, theirs] = interleaved([&] { sink = sink + analysis::importHashed(glb).model.parts.size(); },
+                                                 [&] { sink = sink + bareParse(glb); }, progress);
   std::filesystem::remove(glb);
   report.ratios.push_back(
       {"import_vs_bare_parse", ratio, 10.0, false, "a GLB hashed, checked, welded and built, per bare tinygltf parse"});
@@ -166,7 +194,8 @@ Report measure(const base::Progress& progress) {
     const analysis::PosedScene posed(study, {viscera::OrganModel::dynamic}, std::nullopt, raycast::SceneUse::manyRays,
                                      threads);
     report.triangles = posed.triangles();
-    measureShots(report, posed, threads, progress.part(0.1, 0.7));
+    measureShots(report, posed, threads, progress.part(0.1, 0.6));
+    measureTrees(report, posed, progress.part(0.6, 0.7));
   }
   measureFrames(report, sampleScene(viscera::Deformer::lattice, threads, &study),
                 {"frame_vs_refit", 0.0, 1.6, false,

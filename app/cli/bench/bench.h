@@ -4,6 +4,7 @@
 /// Lorica against bare libraries on the same work, in one run, as ratios: numbers that mean the same on every machine.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,14 +16,15 @@ namespace lorica::bench {
 struct Ratio {
   std::string name;
   double value = 0.0;
-  double bar = 0.0;
-  bool atLeast = true;  ///< the value should reach the bar; else it should stay under it
+  std::optional<double> bar;  ///< none: for comparison only
+  bool atLeast = true;        ///< the value should reach the bar; else it should stay under it
   std::string meaning;
 };
 
 struct Report {
   std::vector<Ratio> ratios;
   std::vector<std::pair<std::string, double>> rates;  ///< rays per second, milliseconds, for orientation
+  std::vector<std::string> notes;                     ///< what was left out, and why
   std::uint64_t triangles = 0;
   std::uint64_t rays = 0;
   int threads = 0;

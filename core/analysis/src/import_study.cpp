@@ -66,7 +66,8 @@ class Importer {
   ImportedStudy import(base::Threads threads, const base::Progress& progress);
 
  private:
-  study::InputFile inputOf(const fs::path& file) const;
+  /// Reads a file too, so that it is hashed at the same time.
+  study::InputFile inputOf(const fs::path& file);
   void understood(const study::InputFile& input, const io::Model& model, const std::string& as);
   void addSkin();
   void addOrgan(const fs::path& file);
@@ -89,16 +90,16 @@ class Importer {
   ImportedStudy result_;
 };
 
-study::InputFile Importer::inputOf(const fs::path& file) const {
+study::InputFile Importer::inputOf(const fs::path& file) {
   study::InputFile input;
   std::error_code failure;
   const fs::path absolute = fs::absolute(file, failure);
   const fs::path home = fs::absolute(request_.studyFile, failure).parent_path();
   const fs::path relative = absolute.lexically_normal().lexically_relative(home.lexically_normal());
   input.path = relative.empty() ? absolute.generic_string() : relative.generic_string();
-  input.sha256 = study::sha256OfInput(file);
   input.units = request_.units;
   input.up = request_.up;
+  library_.newFile(input);
   return input;
 }
 

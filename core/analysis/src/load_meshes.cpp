@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <exception>
 
 #include "lorica/base/error.h"
+#include "lorica/base/parallel.h"
 #include "lorica/study/study_file.h"
 
 namespace lorica::analysis {
@@ -72,25 +75,72 @@ MergedMesh mergeParts(const io::Model& model, const std::function<bool(const std
   return merged;
 }
 
-const io::Model& MeshLibrary::file(const study::InputFile& input) {
-  const std::filesystem::path path = study::resolve(input, studyFile_);
-  const std::string key = fmt::format("{}|{}|{}", path.string(), input.units ? base::name(*input.units) : "",
-                                      input.up ? std::string(1, *input.up) : "");
-  const auto known = models_.find(key);
-  if (known != models_.end()) {
-    return known->second;
-  }
+namespace {
+
+io::ImportOptions optionsOf(const study::InputFile& input) {
   io::ImportOptions options;
   options.units = input.units;
   if (input.up) {
     options.up = *input.up == 'z' ? io::UpAxis::z : io::UpAxis::y;
   }
-  io::Model model = io::importModel(path, options);
-  for (base::Issue issue : model.issues) {
+  return options;
+}
+
+}  // namespace
+
+HashedModel importHashed(const std::filesystem::path& path, const io::ImportOptions& options) {
+  HashedModel result;
+  std::array<std::exception_ptr, 2> failures;
+  base::parallelFor(2, 1, {}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t task = begin; task < end; ++task) {
+      try {
+        if (task == 0) {
+          result.sha256 = study::sha256OfInput(path);
+        } else {
+          result.model = io::importModel(path, options);
+        }
+      } catch (const base::Error&) {
+        failures[task] = std::current_exception();
+      }
+    }
+  });
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) {
+      std::rethrow_exception(failure);
+    }
+  }
+  return result;
+}
+
+std::string MeshLibrary::keyOf(const study::InputFile& input) const {
+  return fmt::format("{}|{}|{}", study::resolve(input, studyFile_).string(),
+                     input.units ? base::name(*input.units) : "", input.up ? std::string(1, *input.up) : "");
+}
+
+const io::Model& MeshLibrary::keep(const study::InputFile& input, HashedModel read) {
+  for (base::Issue issue : read.model.issues) {
     issue.file = input.path;  // as the study says it: results do not depend on where the study lies
     issues_.push_back(std::move(issue));
   }
-  return models_.emplace(key, std::move(model)).first->second;
+  return models_.emplace(keyOf(input), std::move(read)).first->second.model;
+}
+
+const io::Model& MeshLibrary::file(const study::InputFile& input) {
+  const auto known = models_.find(keyOf(input));
+  return known != models_.end()
+             ? known->second.model
+             : keep(input, {io::importModel(study::resolve(input, studyFile_), optionsOf(input)), {}});
+}
+
+const io::Model& MeshLibrary::newFile(study::InputFile& input) {
+  const auto known = models_.find(keyOf(input));
+  if (known != models_.end() && !known->second.sha256.empty()) {
+    input.sha256 = known->second.sha256;
+    return known->second.model;
+  }
+  HashedModel read = importHashed(study::resolve(input, studyFile_), optionsOf(input));
+  input.sha256 = read.sha256;
+  return keep(input, std::move(read));
 }
 
 const manikin::Human& MeshLibrary::human(const human::Person& person, base::Threads threads,

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "lorica/analysis/hashed_model.h"
 #include "lorica/human/clip.h"
 #include "lorica/human/skinning.h"
 #include "lorica/io/import.h"
@@ -36,6 +37,8 @@ class MeshLibrary {
 
   /// \throw base::InputError
   const io::Model& file(const study::InputFile& input);
+  /// The same for a file that is new to the study: `input` gets its hash. \throw base::InputError
+  const io::Model& newFile(study::InputFile& input);
   /// \throw base::InputError when there can be no such person, base::Cancelled
   const manikin::Human& human(const human::Person& person, base::Threads threads, const base::Progress& progress);
   /// Checks that every part the source names is in the model. \throw base::InputError
@@ -43,8 +46,11 @@ class MeshLibrary {
   base::Issues takeIssues() { return std::exchange(issues_, {}); }
 
  private:
+  std::string keyOf(const study::InputFile& input) const;
+  const io::Model& keep(const study::InputFile& input, HashedModel read);
+
   std::filesystem::path studyFile_;
-  std::map<std::string, io::Model> models_;
+  std::map<std::string, HashedModel> models_;  ///< without a hash where the study had one
   std::unique_ptr<manikin::Human> human_;
   base::Issues issues_;
 };

@@ -121,6 +121,15 @@ void checkStopRule(const LoadedStudy& study) {
   }
 }
 
+/// The shots of a trial that a part is to shoot.
+shotline::ShotRange rangeOf(const RunPart& part, std::uint64_t shots) {
+  // By quotient and remainder: shots * index may be more than 64 bits hold.
+  const auto border = [&](std::uint64_t index) {
+    return shots / part.count * index + shots % part.count * index / part.count;
+  };
+  return {border(part.index), border(part.index + std::uint64_t{1}) - border(part.index)};
+}
+
 /// Whether the intervals the rule is about are narrow enough with these trials.
 bool narrowEnough(const LoadedStudy& study, const RunResult& result, const SourcePoseResult& here) {
   const study::StopRule& stop = *study.study.stop;
@@ -158,7 +167,7 @@ void shootPose(const LoadedStudy& study, const PosedScene& scene, std::size_t po
       shotline::CountAndCompare counted(scene.layout(), study.study.analyses.compare);
       const double step = static_cast<double>(s) * most + trial;
       const raycast::CastCounts counts =
-          shotline::observeShots(scene.scene(), shots, {0, result.sources[s].shots}, threads,
+          shotline::observeShots(scene.scene(), shots, rangeOf(result.part, result.sources[s].shots), threads,
                                  progress.part(step / steps, (step + 1.0) / steps), counted);
       here.trials.push_back(counted.tally());
       here.pairs.add(counted.pairs());
@@ -176,6 +185,12 @@ RunResult planRun(const LoadedStudy& study, const RunOptions& options, const bas
   result.systems.emplace_back(study::unarmored);
   for (const study::ArmorSystem& system : study.study.systems) {
     result.systems.push_back(system.name);
+  }
+  LORICA_CHECK(options.part.index < options.part.count, "a part of the run");
+  result.part = options.part;
+  if (study.study.stop && options.part.count > 1) {
+    throw base::InputError(study.file.string(), "/stop",
+                           "the rule for stopping asks for all shots of a trial, so such a run cannot be cut in parts");
   }
   result.seed = options.seed.value_or(study.study.seed);
   result.trials = options.trials.value_or(study.study.trials);
@@ -200,15 +215,17 @@ RunResult run(const LoadedStudy& study, const RunOptions& options, const base::P
     return result;
   }
   constexpr double audited = 0.05;
-  std::optional<StudyAudit> audit;
-  try {
-    audit.emplace(study, options.threads, progress.part(0.0, audited));
-  } catch (const base::Cancelled&) {
-    result.partial = true;
-    return result;
+  std::optional<StudyAudit> audit;  // the first part's
+  if (options.part.index == 0) {
+    try {
+      audit.emplace(study, options.threads, progress.part(0.0, audited));
+    } catch (const base::Cancelled&) {
+      result.partial = true;
+      return result;
+    }
+    base::append(result.issues, audit->meshes().issues());
+    result.restRoom = audit->restRoom();
   }
-  base::append(result.issues, audit->meshes().issues());
-  result.restRoom = audit->restRoom();
   // Pose by pose, so that only one scene is in memory.
   const double poses = static_cast<double>(result.poses.size());
   for (std::size_t p = 0; p < result.poses.size() && !result.partial; ++p) {
@@ -218,13 +235,41 @@ RunResult run(const LoadedStudy& study, const RunOptions& options, const base::P
     const double end = audited + (1.0 - audited) * static_cast<double>(p + 1) / poses;
     const double middle = begin + 0.25 * (end - begin);
     try {
-      auditPose(*audit, scene, p, options.threads, result, progress.part(begin, middle));
+      if (audit) {
+        auditPose(*audit, scene, p, options.threads, result, progress.part(begin, middle));
+      }
       shootPose(study, scene, p, options.threads, result, progress.part(middle, end));
     } catch (const base::Cancelled&) {
       result.partial = true;
     }
   }
   return result;
+}
+
+RunResult merge(std::span<const RunResult> parts) {
+  LORICA_CHECK(!parts.empty(), "a run has a part");
+  RunResult whole = parts[0];
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const RunResult& part = parts[p];
+    LORICA_CHECK(!part.partial &&
+                     part.part == (RunPart{static_cast<std::uint32_t>(p), static_cast<std::uint32_t>(parts.size())}),
+                 "all parts of a run in their order");
+    LORICA_CHECK(part.seed == whole.seed && part.poses == whole.poses && part.models == whole.models &&
+                     part.systems == whole.systems && part.results.size() == whole.results.size(),
+                 "parts of one run");
+    for (std::size_t r = 0; p > 0 && r < whole.results.size(); ++r) {
+      const SourcePoseResult& more = part.results[r];
+      SourcePoseResult& sum = whole.results[r];
+      LORICA_CHECK(more.trials.size() == sum.trials.size(), "parts of one run");
+      for (std::size_t trial = 0; trial < sum.trials.size(); ++trial) {
+        sum.trials[trial].add(more.trials[trial]);
+      }
+      sum.counts.add(more.counts);
+      sum.pairs.add(more.pairs);
+    }
+  }
+  whole.part = {};
+  return whole;
 }
 
 }  // namespace lorica::analysis

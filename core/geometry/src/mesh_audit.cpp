@@ -1,10 +1,12 @@
 #include "lorica/geometry/mesh_audit.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <span>
 
 #include "lorica/base/error.h"
+#include "lorica/base/parallel.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/winding.h"
 
@@ -51,30 +53,38 @@ class HalfEdges {
     std::int64_t tally() const { return 1 + ((std::int64_t{sideAndWay % 2} * 2 - 1) << 32U); }
   };
 
-  explicit HalfEdges(const TriangleMesh& mesh) : begin_(mesh.positions.size() + 1, 0) {
+  explicit HalfEdges(const TriangleMesh& mesh)
+      : begin_(mesh.positions.size() + 2, 0),
+        edges_(std::make_unique_for_overwrite<HalfEdge[]>(3 * mesh.triangles.size())) {
     LORICA_CHECK(mesh.triangles.size() < UINT32_MAX / 6, "sides are counted in 31 bits");
+    // Counted two places on, so that filling a bucket moves its place to where the next one begins.
     for (const Triangle& t : mesh.triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
-        ++begin_[std::min(t[k], t[(k + 1) % 3]) + 1];
+        ++begin_[std::min(t[k], t[(k + 1) % 3]) + std::size_t{2}];
       }
     }
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    edges_.resize(3 * mesh.triangles.size());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t from = mesh.triangles[t][k];
         const std::uint32_t to = mesh.triangles[t][(k + 1) % 3];
-        edges_[next[std::min(from, to)]++] = {std::max(from, to), 3 * t + k, from < to};
+        edges_[begin_[std::min(from, to) + std::size_t{1}]++] = {std::max(from, to), 3 * t + k, from < to};
       }
     }
   }
 
-  /// Counts the edges and marks the open ones in `audit`, whose components are known.
-  void judge(MeshAudit& audit) const {
-    std::vector<Tally> tallies(begin_.size() - 1, 0);  // of the edges from one lower vertex, per higher vertex
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
-      const std::span<const HalfEdge> bucket(edges_.data() + begin_[v], begin_[v + 1] - begin_[v]);
+  /// What the edges say of the surface.
+  struct Verdict {
+    std::vector<std::size_t> openSides;
+    std::size_t boundaryEdges = 0;
+    std::size_t oddEdges = 0;
+  };
+
+  Verdict judge() const {
+    Verdict verdict;
+    std::vector<Tally> tallies(begin_.size() - 2, 0);  // of the edges from one lower vertex, per higher vertex
+    for (std::size_t v = 0; v + 2 < begin_.size(); ++v) {
+      const std::span<const HalfEdge> bucket(edges_.get() + begin_[v], begin_[v + 1] - begin_[v]);
       for (const HalfEdge& edge : bucket) {
         tallies[edge.high] += edge.tally();
       }
@@ -83,36 +93,36 @@ class HalfEdges {
         paired = paired && tallies[edge.high] == 2;
       }
       if (!paired) {
-        judgeOdd(bucket, tallies, audit);
+        judgeOdd(bucket, tallies, verdict);
       }
       for (const HalfEdge& edge : bucket) {
         tallies[edge.high] = 0;  // so that the next vertex finds nothing
       }
     }
+    return verdict;
   }
 
  private:
   /// Uses of an edge, plus 2^32 times those from its lower vertex less those to it: 2 for an edge of a closed surface.
   using Tally = std::int64_t;
 
-  static void judgeOdd(std::span<const HalfEdge> bucket, std::vector<Tally>& tallies, MeshAudit& audit) {
+  static void judgeOdd(std::span<const HalfEdge> bucket, std::vector<Tally>& tallies, Verdict& verdict) {
     const auto uses = [](Tally tally) { return static_cast<std::uint32_t>(tally); };
     for (const HalfEdge& edge : bucket) {
       if (tallies[edge.high] != uses(tallies[edge.high])) {
-        audit.openEdge[edge.side()] = true;
-        audit.components[audit.componentOf[edge.side() / 3]].closed = false;
+        verdict.openSides.push_back(edge.side());
       }
     }
     for (const HalfEdge& edge : bucket) {
       Tally& tally = tallies[edge.high];
-      audit.boundaryEdges += uses(tally) == 1 ? 1 : 0;
-      audit.oddEdges += (uses(tally) > 2 || (uses(tally) == 2 && tally != 2)) ? 1 : 0;
+      verdict.boundaryEdges += uses(tally) == 1 ? 1 : 0;
+      verdict.oddEdges += (uses(tally) > 2 || (uses(tally) == 2 && tally != 2)) ? 1 : 0;
       tally = 0;  // so that every edge counts once
     }
   }
 
-  std::vector<std::uint32_t> begin_;  // per vertex, into edges_
-  std::vector<HalfEdge> edges_;
+  std::vector<std::uint32_t> begin_;  // per vertex, into edges_; the last entry is spare
+  std::unique_ptr<HalfEdge[]> edges_;
 };
 
 /// The closed components that may contain others: their boxes, and their triangles when they are asked for.
@@ -176,38 +186,58 @@ bool MeshAudit::closed() const {
          std::all_of(components.begin(), components.end(), [](const Component& c) { return c.closed; });
 }
 
-MeshAudit audit(const TriangleMesh& mesh) {
-  MeshAudit result;
-  result.openEdge.assign(mesh.triangles.size() * 3, false);
+namespace {
 
+/// Finds the components and measures them.
+void measureComponents(const TriangleMesh& mesh, MeshAudit& result) {
   Forest forest(mesh.positions.size());
   for (const Triangle& triangle : mesh.triangles) {
     forest.join(triangle[0], triangle[1]);
     forest.join(triangle[1], triangle[2]);
   }
+  const Box3d box = bounds(mesh.positions);
+  const Vec3d centre = box.isEmpty() ? Vec3d(Vec3d::Zero()) : Vec3d(box.center());
   std::vector<std::uint32_t> componentOfRoot(mesh.positions.size(), UINT32_MAX);
   result.componentOf.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::uint32_t& component = componentOfRoot[forest.root(mesh.triangles[t][0])];
-    if (component == UINT32_MAX) {
-      component = static_cast<std::uint32_t>(result.components.size());
+    std::uint32_t& number = componentOfRoot[forest.root(mesh.triangles[t][0])];
+    if (number == UINT32_MAX) {
+      number = static_cast<std::uint32_t>(result.components.size());
       result.components.push_back({0, true, 0.0});
     }
-    result.componentOf[t] = component;
-    ++result.components[component].triangles;
-  }
-
-  HalfEdges(mesh).judge(result);
-
-  const Box3d box = bounds(mesh.positions);
-  const Vec3d centre = box.isEmpty() ? Vec3d(Vec3d::Zero()) : Vec3d(box.center());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    result.componentOf[t] = number;
+    Component& component = result.components[number];
+    ++component.triangles;
     const Vec3d a = mesh.corner(t, 0) - centre;
     const Vec3d b = mesh.corner(t, 1) - centre;
     const Vec3d c = mesh.corner(t, 2) - centre;
     const Vec3d normal = (b - a).cross(c - a);
-    result.components[result.componentOf[t]].signedVolume += a.dot(normal) / 6.0;
+    component.signedVolume += a.dot(normal) / 6.0;
     result.degenerateTriangles += normal.squaredNorm() == 0.0 ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+MeshAudit audit(const TriangleMesh& mesh) {
+  MeshAudit result;
+  result.openEdge.assign(mesh.triangles.size() * 3, false);
+  HalfEdges::Verdict edges;
+  constexpr std::size_t tooSmallToShare = 4096;
+  base::parallelFor(2, mesh.triangles.size() < tooSmallToShare ? 2 : 1, {}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t task = begin; task < end; ++task) {
+      if (task == 0) {
+        measureComponents(mesh, result);
+      } else {
+        edges = HalfEdges(mesh).judge();
+      }
+    }
+  });
+  result.boundaryEdges = edges.boundaryEdges;
+  result.oddEdges = edges.oddEdges;
+  for (const std::size_t side : edges.openSides) {
+    result.openEdge[side] = true;
+    result.components[result.componentOf[side / 3]].closed = false;
   }
   return result;
 }

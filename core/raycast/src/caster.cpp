@@ -229,10 +229,12 @@ void Caster::collectPacket(std::span<const Ray> packet) {
   context.lanes = lanes_.data();
 #if RTC_VERSION_MAJOR >= 4
   RTCIntersectArguments arguments = argumentsOf(context);
+  arguments.flags = static_cast<RTCRayQueryFlags>(arguments.flags | RTC_RAY_QUERY_FLAG_COHERENT);
   rtcIntersect8(valid.data(), scene_->impl_->scene, &query, &arguments);
 #else
   rtcInitIntersectContext(&context.base);
   context.base.filter = Context::record;
+  context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect8(valid.data(), scene_->impl_->scene, &context.base, &query);
 #endif
 }

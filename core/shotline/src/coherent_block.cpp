@@ -2,6 +2,7 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "lorica/shotline/trace.h"
 
@@ -20,10 +21,18 @@ std::uint32_t spread(std::uint32_t v) {
   return (v | (v << 1U)) & 0x55555555U;
 }
 
-/// One stable pass of a radix sort: by 11 bits of the keys, from `shift` up.
+constexpr unsigned bucketBits = 11;
+constexpr std::uint32_t buckets = 1U << bucketBits;
+/// Shots that one thread makes and puts in their places at a time.
+constexpr std::size_t shotsPerPart = 16384;
+
+std::uint32_t upper(std::uint32_t key) {
+  return key >> bucketBits;
+}
+
+/// One stable pass of a radix sort: by the bits of the keys from `shift` up.
 void radixPass(const std::vector<std::uint32_t>& keys, const std::vector<std::uint32_t>& from,
                std::vector<std::uint32_t>& to, unsigned shift) {
-  constexpr std::uint32_t buckets = 2048;
   std::array<std::uint32_t, buckets + 1> start{};
   for (const std::uint32_t i : from) {
     ++start[((keys[i] >> shift) & (buckets - 1)) + 1];
@@ -36,20 +45,29 @@ void radixPass(const std::vector<std::uint32_t>& keys, const std::vector<std::ui
   }
 }
 
-/// Cells of the box around some vectors: few along its narrowest axis, many along the other two.
+/// The box around some vectors.
+struct Bounds {
+  Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
+  Vec3f high = Vec3f::Constant(-std::numeric_limits<float>::infinity());
+  void extend(const Vec3f& vector) {
+    low = low.cwiseMin(vector);
+    high = high.cwiseMax(vector);
+  }
+  void extend(const Bounds& other) {
+    low = low.cwiseMin(other.low);
+    high = high.cwiseMax(other.high);
+  }
+};
+
+struct RayBounds {
+  Bounds origins;
+  Bounds directions;
+};
+
+/// Cells of a box: few along its narrowest axis, many along the other two.
 class Cells {
  public:
-  template <class Vector>
-  Cells(const std::vector<Ray>& rays, const Vector& vector) {
-    low_ = Vec3f::Constant(std::numeric_limits<float>::infinity());
-    Vec3f high = -low_;
-    for (const Ray& ray : rays) {
-      low_ = low_.cwiseMin(vector(ray));
-      high = high.cwiseMax(vector(ray));
-    }
-    span_ = high - low_;
-    span_.minCoeff(&narrow_);
-  }
+  explicit Cells(const Bounds& bounds) : low_(bounds.low), span_(bounds.high - bounds.low) { span_.minCoeff(&narrow_); }
   bool single() const { return span_.maxCoeff() == 0.0F; }
   /// \param bits of each wide axis, at most 10
   void divide(unsigned bits) {
@@ -74,52 +92,112 @@ class Cells {
   unsigned bits_ = 0;
 };
 
-/// 22 bits that neighbours have nearly in common.
-void makeKeys(const std::vector<Ray>& rays, std::vector<std::uint32_t>& keys) {
-  Cells directions(rays, [](const Ray& ray) { return ray.direction; });
-  Cells origins(rays, [](const Ray& ray) { return ray.origin; });
-  keys.resize(rays.size());
-  const bool fromOnePlace = origins.single();
-  if (fromOnePlace || directions.single()) {
-    Cells& cells = fromOnePlace ? directions : origins;
-    cells.divide(10);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      keys[i] = cells.key(fromOnePlace ? rays[i].direction : rays[i].origin);
+/// Gives rays keys of 22 bits that neighbours have nearly in common.
+class KeyMaker {
+ public:
+  explicit KeyMaker(const RayBounds& bounds) : directions_(bounds.directions), origins_(bounds.origins) {
+    byDirection_ = !directions_.single();
+    byOrigin_ = !origins_.single() || !byDirection_;
+    const bool both = byDirection_ && byOrigin_;
+    directions_.divide(both ? 5 : 10);
+    origins_.divide(both ? originBits : 10);
+  }
+  std::uint32_t operator()(const Ray& ray) const {
+    if (!byOrigin_) {
+      return directions_.key(ray.direction);
     }
-    return;
+    const std::uint32_t origin = origins_.key(ray.origin);
+    return byDirection_ ? directions_.key(ray.direction) << (2U + 2U * originBits) | origin : origin;
   }
-  constexpr unsigned directionBits = 5;
-  constexpr unsigned originBits = 4;
-  directions.divide(directionBits);
-  origins.divide(originBits);
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    keys[i] = directions.key(rays[i].direction) << (2U + 2U * originBits) | origins.key(rays[i].origin);
+
+ private:
+  static constexpr unsigned originBits = 4;
+  Cells directions_;
+  Cells origins_;
+  bool byDirection_ = false;
+  bool byOrigin_ = false;
+};
+
+/// Makes the shots of a block. Returns what bounds them.
+RayBounds makeRays(const ShotGenerator& shots, std::uint64_t first, std::span<Ray> rays, base::Threads threads) {
+  const std::size_t parts = (rays.size() + shotsPerPart - 1) / shotsPerPart;
+  std::vector<RayBounds> bounds(parts);
+  base::parallelFor(parts, 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const std::size_t start = p * shotsPerPart;
+      const std::span<Ray> part = rays.subspan(start, std::min(shotsPerPart, rays.size() - start));
+      shots.shots(first + start, part);
+      for (const Ray& ray : part) {
+        bounds[p].origins.extend(ray.origin);
+        bounds[p].directions.extend(ray.direction);
+      }
+    }
+  });
+  for (std::size_t p = 1; p < parts; ++p) {
+    bounds[0].origins.extend(bounds[p].origins);
+    bounds[0].directions.extend(bounds[p].directions);
   }
+  return bounds[0];
 }
 
 }  // namespace
 
-void CoherentBlock::load(const ShotGenerator& shots, const ShotRange& range) {
-  LORICA_CHECK(range.count <= UINT32_MAX, "a block of fewer shots");
+void CoherentBlock::load(const ShotGenerator& shots, const ShotRange& range, base::Threads threads) {
+  LORICA_CHECK(range.count > 0 && range.count <= mostShots, "a block has some shots, and not too many");
   first_ = range.first;
   const auto count = static_cast<std::size_t>(range.count);
   rays_.resize(count);
-  shots.shots(range.first, rays_);
-  makeKeys(rays_, keys_);
-  order_.resize(count);
-  scratch_.resize(count);
-  std::iota(order_.begin(), order_.end(), 0U);
-  radixPass(keys_, order_, scratch_, 0);
-  radixPass(keys_, scratch_, order_, 11);
-  sorted_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    sorted_[i] = rays_[order_[i]];
+  keys_.resize(count);
+  placed_.resize(count);
+  const KeyMaker keyOf(makeRays(shots, first_, rays_, threads));
+  const std::size_t parts = (count + shotsPerPart - 1) / shotsPerPart;
+  starts_.assign(parts * buckets, 0);
+  const auto overParts = [&](const auto& use) {
+    base::parallelFor(parts, 1, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) {
+        use(&starts_[p * buckets], p * shotsPerPart, std::min((p + 1) * shotsPerPart, count));
+      }
+    });
+  };
+  overParts([&](std::uint32_t* sizes, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      keys_[i] = keyOf(rays_[i]);
+      ++sizes[upper(keys_[i])];
+    }
+  });
+  std::uint32_t next = 0;
+  for (std::size_t b = 0; b < buckets; ++b) {
+    for (std::size_t p = 0; p < parts; ++p) {
+      next += std::exchange(starts_[p * buckets + b], next);
+    }
   }
+  overParts([&](std::uint32_t* starts, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      placed_[starts[upper(keys_[i])]++] = {rays_[i], keys_[i], static_cast<std::uint32_t>(i)};
+    }
+  });
 }
 
-std::uint64_t blockSize(std::uint64_t shots, base::Threads threads) {
-  const auto crew = static_cast<std::uint64_t>(threads.count > 0 ? threads.count : base::machineThreads());
-  return std::clamp<std::uint64_t>(shots / (8 * crew), 1024, 65536);
+void CoherentSlice::load(const CoherentBlock& block, std::size_t index) {
+  const std::size_t begin = index * CoherentBlock::shotsPerSlice;
+  const std::size_t count = std::min(CoherentBlock::shotsPerSlice, block.placed_.size() - begin);
+  const std::span<const CoherentBlock::Placed> placed = std::span(block.placed_).subspan(begin, count);
+  keys_.resize(count);
+  order_.resize(count);
+  scratch_.resize(count);
+  rays_.resize(count);
+  numbers_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    keys_[i] = placed[i].key;
+  }
+  std::iota(order_.begin(), order_.end(), 0U);
+  radixPass(keys_, order_, scratch_, 0);
+  radixPass(keys_, scratch_, order_, bucketBits);
+  for (std::size_t i = 0; i < count; ++i) {
+    const CoherentBlock::Placed& shot = placed[order_[i]];
+    rays_[i] = shot.ray;
+    numbers_[i] = block.first_ + shot.number;
+  }
 }
 
 }  // namespace lorica::shotline

@@ -3,10 +3,19 @@
 /// \file
 /// Runs a study: every pose, source and trial, all systems and models on the same shots.
 
+#include <span>
+
 #include "lorica/analysis/deformation.h"
 #include "lorica/shotline/pair_tally.h"
 
 namespace lorica::analysis {
+
+/// An even share of the shots of every trial: shots index * n / count up to (index + 1) * n / count.
+struct RunPart {
+  std::uint32_t index = 0;
+  std::uint32_t count = 1;  ///< 1: the whole run
+  bool operator==(const RunPart&) const = default;
+};
 
 /// What a run computes, when it is not all the study says. Empty and absent fields mean the study's own.
 struct RunOptions {
@@ -14,6 +23,7 @@ struct RunOptions {
   std::optional<std::uint64_t> seed;
   std::optional<std::uint32_t> trials;
   std::optional<std::uint64_t> shots;  ///< per trial, for every source but grids and lists, which have their own
+  RunPart part;
   base::Threads threads;
 };
 
@@ -47,6 +57,7 @@ struct RunResult {
   std::optional<viscera::SkinRoom> restRoom;            ///< none for a skin that does not close
   std::vector<std::optional<viscera::SkinRoom>> rooms;  ///< per pose, as far as the run came; none as for restRoom
   base::Issues issues;
+  RunPart part;          ///< which share of the shots was shot
   bool partial = false;  ///< cancelled: `results` holds what was finished
 };
 
@@ -57,7 +68,13 @@ RunResult planRun(const LoadedStudy& study, const RunOptions& options, const bas
 /// Runs. When cancelled, returns what was finished and marks it partial. The same study, options and seed give the
 /// same result at any number of threads.
 /// With a rule for stopping in the study, each source and pose has as many trials as it takes.
-/// \throw base::InputError as planRun
+/// A part of a run shoots its share of the shots alone; the deformation audit is the first part's.
+/// \throw base::InputError as planRun, and for a part of a run with a rule for stopping, which asks for all shots
 RunResult run(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress = {});
+
+/// The whole run from its parts, in their order: the same result, to the last bit, as of a run that was never cut,
+/// wherever the parts were computed.
+/// \pre they are parts 0, 1, ... of one run (study, options), all of them, none partial
+RunResult merge(std::span<const RunResult> parts);
 
 }  // namespace lorica::analysis

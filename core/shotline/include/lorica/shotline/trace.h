@@ -4,7 +4,9 @@
 /// Shoots a posed scene and counts.
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
+#include <vector>
 
 #include "lorica/base/error.h"
 #include "lorica/base/parallel.h"
@@ -21,56 +23,101 @@ struct ShotRange {
   std::uint64_t count = 0;
 };
 
-/// Some shots of a trial in an order in which neighbours run through the same part of the scene. In which order shots
+/// Many shots of a trial in an order in which neighbours run through the same part of the scene. In which order shots
 /// are traced changes no count. Keeps its buffers from one load to the next.
 class CoherentBlock {
  public:
-  /// \pre range.count < 2^32
-  void load(const ShotGenerator& shots, const ShotRange& range);
-  std::span<const raycast::Ray> rays() const { return sorted_; }
-  /// Number of the shot that ray `i` of rays() is.
-  std::uint64_t number(std::size_t i) const { return first_ + order_[i]; }
+  /// Large blocks run more coherent rays, small ones take less memory (60 bytes a shot).
+  static constexpr std::uint64_t mostShots = std::uint64_t{1} << 19;
+  static constexpr std::size_t shotsPerSlice = 4096;
+
+  /// \pre range.count <= mostShots
+  void load(const ShotGenerator& shots, const ShotRange& range, base::Threads threads);
+  std::size_t slices() const { return (placed_.size() + shotsPerSlice - 1) / shotsPerSlice; }
 
  private:
+  friend class CoherentSlice;
+  struct Placed {
+    raycast::Ray ray;
+    std::uint32_t key;
+    std::uint32_t number;  ///< after the first
+  };
   std::uint64_t first_ = 0;
   std::vector<raycast::Ray> rays_;
-  std::vector<raycast::Ray> sorted_;
+  std::vector<std::uint32_t> keys_;
+  std::vector<std::uint32_t> starts_;  ///< where each part of the rays puts those of each bucket
+  std::vector<Placed> placed_;         ///< in the order of the upper bits of their keys
+};
+
+/// A slice of a block in its full order: what one thread traces at a time. Keeps its buffers.
+class CoherentSlice {
+ public:
+  /// \pre index < block.slices()
+  void load(const CoherentBlock& block, std::size_t index);
+  std::span<const raycast::Ray> rays() const { return rays_; }
+  /// Number of the shot that ray `i` of rays() is.
+  std::uint64_t number(std::size_t i) const { return numbers_[i]; }
+
+ private:
+  std::vector<raycast::Ray> rays_;
+  std::vector<std::uint64_t> numbers_;
   std::vector<std::uint32_t> keys_;
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> scratch_;
 };
 
-/// How many shots are traced in one go: large blocks run more coherent rays, small ones keep all threads busy.
-std::uint64_t blockSize(std::uint64_t shots, base::Threads threads);
-
-/// Shows each shot of the range with all its hits to an observer and adds the observers of all blocks up in `total`.
-/// An Observer has `Observer fresh() const`, an empty one; `void see(shot, ray, hits)`; `void add(const Observer&)`,
-/// whose result must not depend on the order of the additions. Memory does not grow with the number of shots.
-/// \throw base::Cancelled
+/// Shows each shot of the range with all its hits to an observer and adds the observers of all threads up in `total`.
+/// An Observer has `Observer fresh() const`, an empty one; `void see(shot, ray, hits)`; `void add(const Observer&)`.
+/// Neither the order of the shots nor that of the additions may change its result. Memory does not grow with the number
+/// of shots. \throw base::Cancelled
 template <class Observer>
 raycast::CastCounts observeShots(const raycast::Scene& scene, const ShotGenerator& shots, const ShotRange& range,
                                  base::Threads threads, const base::Progress& progress, Observer& total) {
-  const std::uint64_t block = blockSize(range.count, threads);
-  const std::uint64_t blocks = (range.count + block - 1) / block;
-  raycast::CastCounts counts;
-  std::mutex merging;
+  struct Worker {
+    raycast::Caster caster;
+    Observer observer;
+    CoherentSlice slice;
+  };
+  std::vector<std::unique_ptr<Worker>> idle;
+  std::mutex mutex;
   std::uint64_t done = 0;
-  base::parallelFor(blocks, 1, threads, [&](std::size_t begin, std::size_t end) {
-    raycast::Caster caster(scene);
-    Observer observer = total.fresh();
-    CoherentBlock rays;
-    for (std::uint64_t b = begin; b < end; ++b) {
-      progress.check();
-      rays.load(shots, {range.first + b * block, std::min(block, range.count - b * block)});
-      caster.castMany(rays.rays(), [&](std::size_t i, std::span<const raycast::Hit> hits) {
-        observer.see(rays.number(i), rays.rays()[i], hits);
-      });
+  const auto take = [&] {
+    const std::lock_guard lock(mutex);
+    if (idle.empty()) {
+      return std::make_unique<Worker>(Worker{raycast::Caster(scene), total.fresh(), {}});
     }
-    const std::lock_guard lock(merging);
-    total.add(observer);
-    counts.add(caster.counts());
-    progress.report(static_cast<double>(done += end - begin) / static_cast<double>(blocks));
-  });
+    std::unique_ptr<Worker> worker = std::move(idle.back());
+    idle.pop_back();
+    return worker;
+  };
+  const auto giveBack = [&](std::unique_ptr<Worker> worker) {
+    const std::lock_guard lock(mutex);
+    done += worker->slice.rays().size();
+    progress.report(static_cast<double>(done) / static_cast<double>(range.count));
+    idle.push_back(std::move(worker));
+  };
+  CoherentBlock block;
+  for (std::uint64_t first = 0; first < range.count; first += CoherentBlock::mostShots) {
+    progress.check();
+    block.load(shots, {range.first + first, std::min(CoherentBlock::mostShots, range.count - first)}, threads);
+    base::parallelFor(block.slices(), 1, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) {
+        progress.check();
+        std::unique_ptr<Worker> worker = take();
+        const CoherentSlice& slice = worker->slice;
+        worker->slice.load(block, s);
+        worker->caster.castMany(slice.rays(), [&](std::size_t i, std::span<const raycast::Hit> hits) {
+          worker->observer.see(slice.number(i), slice.rays()[i], hits);
+        });
+        giveBack(std::move(worker));
+      }
+    });
+  }
+  raycast::CastCounts counts;
+  for (const std::unique_ptr<Worker>& worker : idle) {
+    total.add(worker->observer);
+    counts.add(worker->caster.counts());
+  }
   return counts;
 }
 
