@@ -9,6 +9,7 @@
 #include "bench.h"
 #include "console.h"
 #include "lorica/analysis/check.h"
+#include "lorica/analysis/compare_runs.h"
 #include "lorica/analysis/export_pose.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
@@ -107,6 +108,22 @@ int exportPose(const ExportArguments& arguments) {
   const std::string bytes = analysis::exportPose(loaded, arguments.pose, model, format, {});
   stage.progress().check();
   base::writeFileAtomically(arguments.out, bytes);
+  return done;
+}
+
+int compareRuns(const fs::path& first, const fs::path& second, const fs::path& out) {
+  const std::vector<fs::path> inputs{first / "trials.csv", first / "provenance.json", second / "trials.csv",
+                                     second / "provenance.json"};
+  refuseToOverwrite(out, inputs);
+  const analysis::RunComparisons compared = analysis::compareRuns(first, second);
+  base::writeFileAtomically(out, analysis::runComparisonsCsv(compared.rows));
+  const auto apart = std::count_if(compared.rows.begin(), compared.rows.end(),
+                                   [](const auto& row) { return row.pHolm && *row.pHolm < 0.05; });
+  fmt::print("{}: {} comparisons by {}; {} differ at 5 % after Holm; {} structures are in one run only\n", out.string(),
+             compared.rows.size(),
+             compared.paired ? "the paired t of trials on the same shots (both runs have the same seed)"
+                             : "Welch's t of independent runs",
+             apart, compared.unmatched);
   return done;
 }
 

@@ -53,6 +53,9 @@ struct ExportArguments {
 };
 int exportPose(const ExportArguments& arguments);
 
+int compareRuns(const std::filesystem::path& first, const std::filesystem::path& second,
+                const std::filesystem::path& out);
+
 int upgradeStudy(const std::filesystem::path& file, const std::filesystem::path& out);
 
 int runBenchmarks(const std::filesystem::path& json);

@@ -184,6 +184,18 @@ void addExport(CLI::App& app, int& code) {
   command->callback([arguments, &code] { code = exportPose(*arguments); });
 }
 
+void addCompare(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("compare", "compare two finished runs, structure by structure");
+  struct Arguments {
+    std::filesystem::path first, second, out;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("RUN_A", arguments->first, "folder of the first run")->required();
+  command->add_option("RUN_B", arguments->second, "folder of the second run")->required();
+  command->add_option("--out", arguments->out, "the CSV to write")->required();
+  command->callback([arguments, &code] { code = compareRuns(arguments->first, arguments->second, arguments->out); });
+}
+
 void addUpgrade(CLI::App& app, int& code) {
   auto* command = app.add_subcommand("upgrade", "rewrite a study of an older version");
   auto study = std::make_shared<std::filesystem::path>();
@@ -211,6 +223,7 @@ int parseAndRun(int argc, char** argv) {
   addGenerate(app, code);
   addImport(app, code);
   addExport(app, code);
+  addCompare(app, code);
   addUpgrade(app, code);
   addBench(app, code);
   try {

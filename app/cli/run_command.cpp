@@ -92,8 +92,8 @@ int runStudy(const RunArguments& arguments) {
   }
   analysis::writeResults(study, result, arguments.out);
   const study::Analyses& wanted = study.study.analyses;
-  if ((wanted.directions || wanted.motion) && !result.partial) {
-    Stage stage("directions and motion", arguments.quiet);
+  if ((wanted.directions || wanted.motion || wanted.gaps || wanted.anatomy) && !result.partial) {
+    Stage stage("analyses", arguments.quiet);
     analysis::writeAnalyses(study, result, options, arguments.out, stage.progress());
   }
   if (!arguments.hits.empty() && !result.partial) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lorica/geometry/primitives.h"
+#include "lorica/shotline/partition.h"
 #include "lorica/stats/intervals.h"
 
 namespace lorica::shotline {
@@ -245,6 +246,58 @@ TEST_F(Target, NestedSpheresGiveTheRatioOfTheirSolidAngles) {
   const double ratio = solidAngle(std::asin(0.3 / 7.5)) / solidAngle(std::asin(1.0 / 8.0));
   const double found = static_cast<double>(tally.organ(0, 0, 0).withBody) / static_cast<double>(tally.body(0).any);
   EXPECT_NEAR(found, ratio, 0.02 * ratio);
+}
+
+/// A skin behind one piece of armor, shot at from ahead.
+struct Guarded {
+  explicit Guarded(const TriangleMesh& armor) : scene(raycast::SceneUse::manyRays), meshes{skin(), armor} {
+    for (const TriangleMesh& mesh : meshes) {
+      scene.add(mesh.positions, raycast::makeTopology(mesh));
+    }
+    scene.build();
+    layout.regionOfTriangle = regions;
+    layout.regions = 1;
+    layout.systems = 2;
+    layout.pieceSystem = {1};
+  }
+  static TriangleMesh skin() { return geometry::box({-1, -1, -0.1}, {1, 1, 0.1}); }
+  Tally tally() const { return trace(scene, layout, ShotGenerator({"front", frontOf(0.2)}, 3, 0), 20000, {}).tally; }
+
+  raycast::Scene scene;
+  std::vector<TriangleMesh> meshes;
+  std::vector<std::uint16_t> regions = std::vector<std::uint16_t>(skin().triangles.size(), 0);
+  TargetLayout layout;
+};
+
+TEST(ArmorTurnedInsideOut, ProtectsByWhateverOfItIsCrossed) {
+  const TriangleMesh plate = geometry::box({-2, -2, 1.5}, {2, 2, 1.6});
+  TriangleMesh inverted = plate;
+  for (geometry::Triangle& triangle : inverted.triangles) {
+    std::swap(triangle[1], triangle[2]);
+  }
+  // As cloth in a fold: from its middle on the inner face lies outside, and the shell winds the other way.
+  TriangleMesh folded = plate;
+  for (Vec3f& vertex : folded.positions) {
+    vertex.z() = vertex.x() > 0 ? 3.1F - vertex.z() : vertex.z();
+  }
+  const Tally sound = Guarded(plate).tally();
+  ASSERT_GT(sound.body(1).shielded, 5000U);
+  EXPECT_EQ(sound.body(1).shielded, sound.body(1).any);
+  for (const TriangleMesh& armor : {inverted, folded}) {
+    const Guarded guarded(armor);
+    EXPECT_EQ(guarded.tally().body(1), sound.body(1));
+    // It has a thickness on both sides of the fold as well: a passage is where the shell winds around the shot at all.
+    raycast::Caster caster(guarded.scene);
+    for (const float x : {-0.8F, 0.8F}) {
+      const raycast::Ray ray{{x, 0.3F, 8}, {0, 0, -1}};
+      const auto passages = passagesOf(ray, caster.cast(ray), guarded.scene);
+      ASSERT_EQ(passages.size(), 2U);
+      EXPECT_EQ(passages[0].mesh, 1U);
+      // The faces of the folded plate lie 0.1 * |x| / 2 apart.
+      EXPECT_TRUE(std::abs(passages[0].thickness() - 0.1) < 1e-6 || std::abs(passages[0].thickness() - 0.04) < 1e-6);
+      EXPECT_EQ(caster.counts().unresolved, 0U);
+    }
+  }
 }
 
 }  // namespace

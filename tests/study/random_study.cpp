@@ -275,6 +275,19 @@ Analyses anyAnalyses() {
   if (coin()) {
     analyses.motion = MotionSettings{uniqueName("clip", 0), *rc::gen::inRange(1U, 100U), oneOf({12.5, 30.0, 120.0})};
   }
+  if (coin()) {
+    analyses.gaps = GapSettings{{uniqueName("organ", 0), "body"},
+                                oneOf({0.0, 0.1, 0.95}),
+                                *rc::gen::inRange(1U, 1000U),
+                                oneOf({0.0, 0.0123, 0.03}),
+                                coin()};
+  }
+  if (coin()) {
+    analyses.anatomy = AnatomySettings{*rc::gen::inRange(2U, 100U), oneOf({0.0, 1.0, 2.5}), coin(), {}};
+    if (coin()) {
+      analyses.anatomy->deviations = {{uniqueName("organ", 0), {0.001, 0.0125, 0.0}}};
+    }
+  }
   return analyses;
 }
 

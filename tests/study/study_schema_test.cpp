@@ -53,6 +53,8 @@ const std::map<std::string, std::span<const std::string_view>>& readerObjects() 
                                                                                 {"/$defs/analyses", analysesKeys},
                                                                                 {"/$defs/directions", directionsKeys},
                                                                                 {"/$defs/motion", motionKeys},
+                                                                                {"/$defs/gaps", gapsKeys},
+                                                                                {"/$defs/anatomy", anatomyKeys},
                                                                                 {"/$defs/display", displayKeys}};
   return objects;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lorica/base/error.h"
+
 namespace lorica::analysis {
 
 PosedScene::PosedScene(const LoadedStudy& study, std::vector<viscera::OrganModel> models,
@@ -72,6 +74,20 @@ void PosedScene::deform(const std::optional<human::Pose>& pose, base::Threads th
 void PosedScene::move(const std::optional<human::Pose>& pose, base::Threads threads) {
   deform(pose, threads);
   scene_.refit();
+}
+
+void PosedScene::placeOrgans(std::span<const geometry::Positions> positions, std::span<const geometry::Vec3d> shifts) {
+  LORICA_CHECK(positions.size() == organs_.size() && shifts.size() == organs_.size(), "a place for every organ");
+  std::vector<raycast::MeshIndex> moved;
+  for (std::size_t slot = 0; slot < organs_.size(); ++slot) {
+    const geometry::Vec3f shift = shifts[slot].cast<float>();
+    LORICA_CHECK(positions[slot].size() == organs_[slot].size(), "a position for every vertex");
+    for (std::size_t v = 0; v < organs_[slot].size(); ++v) {
+      organs_[slot][v] = positions[slot][v] + shift;
+    }
+    moved.push_back(raycast::MeshIndex{1 + pieces_.size() + slot});
+  }
+  scene_.refit(moved);
 }
 
 std::size_t PosedScene::triangles() const {

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <span>
 
+#include "lorica/analysis/anatomy.h"
 #include "lorica/analysis/comparisons.h"
 #include "lorica/analysis/directions.h"
+#include "lorica/analysis/gaps.h"
 #include "lorica/analysis/posed_scene.h"
 #include "lorica/base/files.h"
 #include "lorica/io/export.h"
@@ -306,13 +308,22 @@ void writeResults(const LoadedStudy& study, const RunResult& result, const std::
 std::vector<std::string> writeAnalyses(const LoadedStudy& study, const RunResult& result, const RunOptions& options,
                                        const std::filesystem::path& folder, const base::Progress& progress) {
   std::vector<std::string> names;
-  if (study.study.analyses.directions) {
-    const auto directions = byDirection(study, result, options.threads, progress.part(0.0, 0.5));
+  const study::Analyses& wanted = study.study.analyses;
+  if (wanted.gaps) {
+    names = writeGaps(study, result, options.threads, folder, progress.part(0.0, 0.1));
+  }
+  if (wanted.anatomy) {
+    const AnatomyResult anatomy = overAnatomies(study, result, options.threads, progress.part(0.1, 0.5));
+    base::writeFileAtomically(folder / "anatomy.csv", anatomyCsv(study, result, anatomy));
+    names.emplace_back("anatomy.csv");
+  }
+  if (wanted.directions) {
+    const auto directions = byDirection(study, result, options.threads, progress.part(0.5, 0.7));
     base::writeFileAtomically(folder / "directions.csv", directionsCsv(study, result, directions));
     names.emplace_back("directions.csv");
   }
-  if (study.study.analyses.motion) {
-    const MotionResult motion = overMotion(study, options, progress.part(0.5, 1.0));
+  if (wanted.motion) {
+    const MotionResult motion = overMotion(study, options, progress.part(0.7, 1.0));
     base::writeFilesAtomically({{folder / "motion.csv", motionCsv(study, motion)},
                                 {folder / "motion_summary.csv", motionSummaryCsv(study, motion)}});
     names.insert(names.end(), {"motion.csv", "motion_summary.csv"});

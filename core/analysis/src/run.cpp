@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "lorica/analysis/anatomy.h"
+#include "lorica/analysis/gaps.h"
 #include "lorica/analysis/posed_scene.h"
 #include "lorica/analysis/results.h"
 #include "lorica/base/error.h"
@@ -195,6 +197,12 @@ RunResult planRun(const LoadedStudy& study, const RunOptions& options, const bas
   result.seed = options.seed.value_or(study.study.seed);
   result.trials = options.trials.value_or(study.study.trials);
   checkStopRule(study);
+  if (study.study.analyses.gaps) {
+    checkGaps(study);
+  }
+  if (study.study.analyses.anatomy) {
+    jitterOf(study);
+  }
   const Plan plan = planPoses(study, options, result, progress);
   if (progress.cancelled()) {
     result.partial = true;

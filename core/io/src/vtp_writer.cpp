@@ -1,5 +1,6 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -9,12 +10,13 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include "lorica/base/error.h"
 #include "reading.h"
 #include "writers.h"
 
 namespace lorica::io {
 
-std::string vtpBytes(std::span<const SceneMesh> scene) {
+std::string fieldsVtpBytes(std::span<const SceneMesh> scene, std::span<const TriangleField> fields) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToFloat();
   vtkNew<vtkCellArray> cells;
@@ -45,6 +47,15 @@ std::string vtpBytes(std::span<const SceneMesh> scene) {
   data->GetCellData()->AddArray(structure);
   data->GetCellData()->SetScalars(colour);
   data->GetFieldData()->AddArray(names);
+  for (const TriangleField& field : fields) {
+    LORICA_CHECK(static_cast<vtkIdType>(field.values.size()) == data->GetNumberOfCells(), "a value per triangle");
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(oneLine(field.name).c_str());
+    for (const double value : field.values) {
+      values->InsertNextValue(value);
+    }
+    data->GetCellData()->AddArray(values);
+  }
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
   writer->SetDataModeToAppended();
@@ -53,6 +64,10 @@ std::string vtpBytes(std::span<const SceneMesh> scene) {
   writer->WriteToOutputStringOn();
   writer->Write();
   return writer->GetOutputString();
+}
+
+std::string vtpBytes(std::span<const SceneMesh> scene) {
+  return fieldsVtpBytes(scene, {});
 }
 
 }  // namespace lorica::io

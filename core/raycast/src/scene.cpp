@@ -86,10 +86,18 @@ void Scene::build() {
 }
 
 void Scene::refit() {
+  std::vector<MeshIndex> all;
+  for (std::size_t m = 0; m < impl_->meshes.size(); ++m) {
+    all.push_back(MeshIndex{m});
+  }
+  refit(all);
+}
+
+void Scene::refit(std::span<const MeshIndex> moved) {
   LORICA_CHECK(impl_->use == SceneUse::manyFrames, "the scene was not made for moving vertices");
-  for (const Impl::Mesh& mesh : impl_->meshes) {
-    rtcUpdateGeometryBuffer(mesh.geometry, RTC_BUFFER_TYPE_VERTEX, 0);
-    rtcCommitGeometry(mesh.geometry);
+  for (const MeshIndex mesh : moved) {
+    rtcUpdateGeometryBuffer(impl_->meshes.at(mesh.value).geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcCommitGeometry(impl_->meshes[mesh.value].geometry);
   }
   build();
 }

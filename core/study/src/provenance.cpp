@@ -2,6 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "json_text.h"
+#include "lorica/base/error.h"
+#include "lorica/base/files.h"
 #include "lorica/base/units.h"
 #include "lorica/study/study_file.h"
 #include "study_words.h"
@@ -9,8 +12,6 @@
 namespace lorica::study {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json vector(const geometry::Vec3d& v) {
   return Json::array({v.x(), v.y(), v.z()});
@@ -117,6 +118,15 @@ std::string provenanceText(const Provenance& provenance) {
     json["issues"].push_back(issue.line());
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::uint64_t seedOfRun(const std::filesystem::path& file) {
+  const Json json = parseJson(base::readFile(file), file.string());
+  const auto seed = json.is_object() ? json.find("seed") : json.end();
+  if (seed == json.end() || !seed->is_number_unsigned()) {
+    throw base::InputError(file.string(), "/seed", "expected the seed of a run, a whole number from 0");
+  }
+  return seed->get<std::uint64_t>();
 }
 
 }  // namespace lorica::study

@@ -91,6 +91,54 @@ MotionSettings readMotion(const Node& node) {
   return motion;
 }
 
+GapSettings readGaps(const Node& node) {
+  node.checkObject("where shots get past the armor", gapsKeys);
+  GapSettings gaps;
+  const Node structures = node["structures"];
+  gaps.structures = nameList(structures, "names of organs, or \"body\" for the skin");
+  if (gaps.structures.empty()) {
+    structures.fail("names no structure; name an organ or \"body\", or remove \"gaps\"");
+  }
+  if (const Node share = node["open_share"]; share.present()) {
+    gaps.openShare = share.number({0.0, 0.95, true, "a share of shots from 0 to 0.95"});
+  }
+  if (const Node shots = node["min_shots"]; shots.present()) {
+    gaps.minShots = static_cast<std::uint32_t>(shots.whole(1, 1'000'000));
+  }
+  if (const Node radius = node["radius_mm"]; radius.present()) {
+    gaps.radius = radius.number({0.0, 1000.0, true, "a radius in mm from 0 to 1000"}) / 1000.0;
+  }
+  if (const Node maps = node["maps"]; maps.present()) {
+    gaps.maps = maps.boolean();
+  }
+  return gaps;
+}
+
+AnatomySettings readAnatomy(const Node& node) {
+  node.checkObject("organs moved at random", anatomyKeys);
+  AnatomySettings anatomy;
+  if (const Node draws = node["draws"]; draws.present()) {
+    anatomy.draws = static_cast<std::uint32_t>(draws.whole(2, 100000));
+  }
+  if (const Node scale = node["scale"]; scale.present()) {
+    anatomy.scale = scale.number({0.0, 10.0, true, "a factor from 0 to 10"});
+  }
+  if (const Node verified = node["verified_only"]; verified.present()) {
+    anatomy.verifiedOnly = verified.boolean();
+  }
+  if (const Node deviations = node["sd_mm"]; deviations.present()) {
+    for (const auto& [organ, entry] : deviations.members("standard deviations by organ")) {
+      deviations.checkName(organ, "the name of an organ");
+      const geometry::Vec3d millimetres = entry.vector("standard deviations in mm to the left, up and forward");
+      if (millimetres.minCoeff() < 0.0 || millimetres.maxCoeff() > 500.0) {
+        entry.fail("standard deviations are from 0 to 500 mm");
+      }
+      anatomy.deviations.push_back({organ, millimetres / 1000.0});
+    }
+  }
+  return anatomy;
+}
+
 }  // namespace
 
 Analyses readAnalyses(const Node& node) {
@@ -107,6 +155,12 @@ Analyses readAnalyses(const Node& node) {
   }
   if (const Node motion = node["motion"]; motion.present()) {
     analyses.motion = readMotion(motion);
+  }
+  if (const Node gaps = node["gaps"]; gaps.present()) {
+    analyses.gaps = readGaps(gaps);
+  }
+  if (const Node anatomy = node["anatomy"]; anatomy.present()) {
+    analyses.anatomy = readAnatomy(anatomy);
   }
   return analyses;
 }

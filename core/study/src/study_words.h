@@ -18,9 +18,12 @@ inline constexpr auto studyKeys = std::to_array<std::string_view>(
      "trials", "seed", "stop", "overlap", "analyses", "site_spacing_mm", "skinning", "deformer", "display"});
 inline constexpr auto stopKeys = std::to_array<std::string_view>({"structures", "half_width", "max_trials"});
 inline constexpr auto analysesKeys =
-    std::to_array<std::string_view>({"compare", "convergence", "directions", "motion"});
+    std::to_array<std::string_view>({"compare", "convergence", "directions", "motion", "gaps", "anatomy"});
 inline constexpr auto directionsKeys = std::to_array<std::string_view>({"step_deg", "shots"});
 inline constexpr auto motionKeys = std::to_array<std::string_view>({"clip", "every", "frames_per_second"});
+inline constexpr auto gapsKeys =
+    std::to_array<std::string_view>({"structures", "open_share", "min_shots", "radius_mm", "maps"});
+inline constexpr auto anatomyKeys = std::to_array<std::string_view>({"draws", "scale", "verified_only", "sd_mm"});
 inline constexpr auto overlapKeys = std::to_array<std::string_view>({"policy", "order"});
 inline constexpr auto humanKeys = std::to_array<std::string_view>(
     {"file", "sha256", "units", "up", "builtin", "parts", "sex", "stature_m", "mass_kg", "joint_roles"});

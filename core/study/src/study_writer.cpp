@@ -263,6 +263,31 @@ Json overlapJson(const Overlap& overlap) {
   return object;
 }
 
+Json gapsJson(const GapSettings& gaps) {
+  const GapSettings defaults;
+  Json object = {{"structures", gaps.structures},
+                 {"open_share", gaps.openShare},
+                 {"min_shots", gaps.minShots},
+                 {"radius_mm", millimetres(gaps.radius)}};
+  if (gaps.maps != defaults.maps) {
+    object["maps"] = gaps.maps;
+  }
+  return object;
+}
+
+Json anatomyJson(const AnatomySettings& anatomy) {
+  Json object = {{"draws", anatomy.draws}, {"scale", anatomy.scale}};
+  if (anatomy.verifiedOnly) {
+    object["verified_only"] = true;
+  }
+  for (const AnatomySettings::Deviation& deviation : anatomy.deviations) {
+    const geometry::Vec3d& metres = deviation.metres;
+    object["sd_mm"][deviation.organ] =
+        Json::array({millimetres(metres.x()), millimetres(metres.y()), millimetres(metres.z())});
+  }
+  return object;
+}
+
 Json analysesJson(const Analyses& analyses) {
   Json object;
   if (analyses.compare) {
@@ -278,6 +303,12 @@ Json analysesJson(const Analyses& analyses) {
     object["motion"] = {{"clip", analyses.motion->clip},
                         {"every", analyses.motion->every},
                         {"frames_per_second", analyses.motion->framesPerSecond}};
+  }
+  if (analyses.gaps) {
+    object["gaps"] = gapsJson(*analyses.gaps);
+  }
+  if (analyses.anatomy) {
+    object["anatomy"] = anatomyJson(*analyses.anatomy);
   }
   return object;
 }

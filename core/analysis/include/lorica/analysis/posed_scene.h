@@ -24,6 +24,11 @@ class PosedScene {
   /// Takes another pose: deforms everything in place and refits. \pre made for manyFrames
   void move(const std::optional<human::Pose>& pose, base::Threads threads);
 
+  /// Puts organs elsewhere and refits them alone: each at the given positions plus a shift, metres.
+  /// \param positions, shifts model by model, organ by organ
+  /// \pre made for manyFrames
+  void placeOrgans(std::span<const geometry::Positions> positions, std::span<const geometry::Vec3d> shifts);
+
   const parenting::PosedBody& body() const { return body_; }
   const geometry::Positions& piece(std::size_t piece) const { return pieces_[piece]; }
   const geometry::Positions& organ(std::size_t organ, std::size_t model) const {

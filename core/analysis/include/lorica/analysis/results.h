@@ -62,7 +62,8 @@ std::string provenanceJson(const LoadedStudy& study, const RunResult& result);
 /// them or none. \throw base::InputError
 void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder);
 
-/// Shoots and writes what the study asks for beside the run: directions.csv, motion.csv, motion_summary.csv.
+/// Shoots and writes what the study asks for beside the run: gaps.csv with its maps, anatomy.csv, directions.csv,
+/// motion.csv, motion_summary.csv.
 /// \return names of the files written
 /// \throw base::InputError, base::Cancelled; then none of the analysis at hand stays
 std::vector<std::string> writeAnalyses(const LoadedStudy& study, const RunResult& result, const RunOptions& options,

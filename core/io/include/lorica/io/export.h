@@ -34,6 +34,16 @@ struct SceneMesh {
 /// \pre corners are below positions.size()
 std::string sceneBytes(std::span<const SceneMesh> scene, SceneFormat format);
 
+/// Numbers of the triangles of a scene, for colouring.
+struct TriangleField {
+  std::string name;
+  std::vector<double> values;  ///< one per triangle, mesh by mesh; not a number where there is none
+};
+
+/// sceneBytes() as VTP, with a cell array in double precision for each field.
+/// \pre as sceneBytes, and a value per triangle of the scene
+std::string fieldsVtpBytes(std::span<const SceneMesh> scene, std::span<const TriangleField> fields);
+
 /// sceneBytes() into a file, all or nothing. \throw base::InputError when the place cannot be written
 void writeScene(std::span<const SceneMesh> scene, SceneFormat format, const std::filesystem::path& path);
 

@@ -40,6 +40,8 @@ class Scene {
   void build();
   /// Follows positions that changed since build(). \pre the scene is for manyFrames and was built
   void refit();
+  /// Follows those of some meshes alone; the others have not moved. \pre as refit(), and the scene has the meshes
+  void refit(std::span<const MeshIndex> moved);
 
   std::size_t meshes() const;
   const MeshTopology& topology(MeshIndex mesh) const;

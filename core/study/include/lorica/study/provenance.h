@@ -4,6 +4,7 @@
 /// Where a result comes from: enough to compute it again and to judge it.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ struct Provenance {
 
 /// JSON text. Depends on nothing but its argument and the program's version.
 std::string provenanceText(const Provenance& provenance);
+
+/// The seed of a run, from its provenance.json.
+/// \throw base::InputError when the file is missing or does not say it
+std::uint64_t seedOfRun(const std::filesystem::path& file);
 
 /// The program's version, "MAJOR.MINOR.PATCH".
 std::string version();

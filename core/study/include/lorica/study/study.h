@@ -178,12 +178,39 @@ struct MotionSettings {
   bool operator==(const MotionSettings&) const = default;
 };
 
+/// Where shots reach a structure past the armor: patches of the skin, and heat maps. The rule is that of
+/// lorica/shotline/open_patches.h.
+struct GapSettings {
+  std::vector<std::string> structures{};  ///< "body" or organs
+  double openShare = 0.1;                 ///< of the shots through a place, above which it is open
+  std::uint32_t minShots = 20;            ///< on a patch, and for a triangle or its surroundings to be judged
+  double radius = 0.03;                   ///< metres, of those surroundings
+  bool maps = true;                       ///< also write the heat maps
+  bool operator==(const GapSettings&) const = default;
+};
+
+/// How far the coverage is open because nobody knows where in a person the organs lie: they are moved at random.
+struct AnatomySettings {
+  std::uint32_t draws = 50;
+  double scale = 1.0;         ///< of all displacements
+  bool verifiedOnly = false;  ///< leave out published magnitudes whose source nobody has looked up again
+  struct Deviation {
+    std::string organ;
+    geometry::Vec3d metres = geometry::Vec3d::Zero();  ///< standard deviation to the left, up and forward
+    bool operator==(const Deviation&) const = default;
+  };
+  std::vector<Deviation> deviations{};  ///< in place of the published ones
+  bool operator==(const AnatomySettings&) const = default;
+};
+
 /// What a run works out beside the tables of coverage.
 struct Analyses {
   bool compare = false;      ///< systems and models on the same shots, pieces left out, mass and area
   bool convergence = false;  ///< coverage after each trial
   std::optional<DirectionGrid> directions{};
   std::optional<MotionSettings> motion{};
+  std::optional<GapSettings> gaps{};
+  std::optional<AnatomySettings> anatomy{};
   bool operator==(const Analyses&) const = default;
 };
 
