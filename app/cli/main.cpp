@@ -47,6 +47,9 @@ void addRun(CLI::App& app, int& code) {
     if (out->empty() && arguments->shotReport.empty()) {
       throw CLI::RequiredError("--out");
     }
+    if (!out->empty() && arguments->out.empty()) {
+      throw CLI::ValidationError("--out", "expected the name of a folder");
+    }
     code = runStudy(*arguments);
   });
 }
@@ -233,7 +236,11 @@ int parseAndRun(int argc, char** argv) {
       app.exit(error);
       return done;
     }
-    fmt::print(stderr, "lorica-cli: {}; see lorica-cli --help\n", error.what());
+    const std::string_view first = argc > 1 ? argv[1] : "";
+    const auto named = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == first; });
+    const bool unknown = !first.empty() && !first.starts_with('-') && named.empty();
+    fmt::print(stderr, "lorica-cli: {}; see lorica-cli --help\n",
+               unknown ? fmt::format("there is no command \"{}\"", first) : error.what());
     return wrongUsage;
   }
   return code;

@@ -62,6 +62,16 @@ void sayWhatWasShot(const analysis::RunResult& result) {
              base::readableCount(counts.nearOpenEdge));
 }
 
+/// Notes are many and rarely urgent: they stand in provenance.json.
+void sayHowManyNotes(const base::Issues& issues) {
+  const auto notes = std::count_if(issues.begin(), issues.end(),
+                                   [](const base::Issue& issue) { return issue.severity == base::Severity::note; });
+  if (notes > 0) {
+    fmt::print(stderr, "{} note(s) about the inputs, such as organs that do not close: see issues in provenance.json\n",
+               notes);
+  }
+}
+
 }  // namespace
 
 int runStudy(const RunArguments& arguments) {
@@ -103,6 +113,7 @@ int runStudy(const RunArguments& arguments) {
   }
   printIssues(result.issues, false);
   if (!arguments.quiet) {
+    sayHowManyNotes(result.issues);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{}\n", summaryTable(result, analysis::summaryRows(study, result)));
     fmt::print("{}\n", deformationTable(analysis::deformationTables(study, result)));

@@ -26,10 +26,12 @@ std::string cells(const ResultRow& row) {
   const auto coverage = row.coverage();
   const auto interval = row.coverageInterval();
   const std::string hit = percent ? fmt::format("{:.2f}", *percent) : "-";
-  // Zeros of structures that nothing can cover (no armor in the system) say nothing.
-  const std::string covered = coverage && interval ? fmt::format("{:5.1f} ({:5.1f} to {:5.1f})", 100 * *coverage,
-                                                                 100 * interval->low, 100 * interval->high)
-                                                   : "-";
+  std::string covered = "-";
+  if (coverage) {
+    covered = fmt::format("{:5.1f}", 100 * *coverage);
+    covered += interval ? fmt::format(" ({:5.1f} to {:5.1f})", 100 * interval->low, 100 * interval->high)
+                        : std::string(17, ' ');
+  }
   return fmt::format("{:>8}  {:>24}", hit, covered);
 }
 
@@ -77,7 +79,9 @@ std::string summaryTable(const analysis::RunResult& result, const std::vector<Re
   }
   text +=
       "\nhit %: shots that cross the structure, of the shots that hit the body.\n"
-      "coverage: of the shots that cross the structure, those that meet armor first; 95 % Wilson interval.\n";
+      "coverage: of the shots that cross the structure, those that meet armor first, with its 95 % interval: Wilson's "
+      "for\n"
+      "independent shots; across the trials for grids and sobol, none where no two trials differ; none for a list.\n";
   return text;
 }
 

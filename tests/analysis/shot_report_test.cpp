@@ -127,6 +127,7 @@ TEST(StopRule, GoesOnUntilTheIntervalsAreNarrowOrTheLimitIsReached) {
   LoadedStudy study = sample();
   RunOptions options = quick();
   options.poses = {"rest"};
+  study.study.trials = 2;
   study.study.stop = study::StopRule{{"stomach"}, 0.03, 60};
   const RunResult result = run(study, options);
   for (const ResultRow& row : summaryRows(study, result)) {
@@ -139,9 +140,37 @@ TEST(StopRule, GoesOnUntilTheIntervalsAreNarrowOrTheLimitIsReached) {
   EXPECT_GT(result.results[0].trials.size(), 2U) << "or it had nothing to do";
   EXPECT_LT(result.results[0].trials.size(), 60U);
   study.study.stop->maxTrials = 3;
-  EXPECT_EQ(run(study, options).results[0].trials.size(), 3U);
+  const RunResult limited = run(study, options);
+  EXPECT_EQ(limited.results[0].trials.size(), 3U);
+  EXPECT_EQ(result.results[0].goalReached, true);
+  EXPECT_EQ(limited.results[0].goalReached, false);
+  const auto told = std::find_if(limited.issues.begin(), limited.issues.end(), [](const base::Issue& issue) {
+    return issue.text.find("not met after 3 trials") != std::string::npos &&
+           issue.text.find("stomach") != std::string::npos;
+  });
+  EXPECT_NE(told, limited.issues.end());
+  study.study.stop->maxTrials = 1;
+  EXPECT_THROW(run(study, options), base::InputError) << "fewer than are shot in any case";
+  study.study.stop->maxTrials = 3;
   study.study.stop->structures = {"gall_bladder"};
   EXPECT_THROW(run(study, options), base::InputError);
+}
+
+TEST(StopRule, EndsWhereTheTrialsOfAGridDoNotDiffer) {
+  LoadedStudy study = sample();
+  RunOptions options = quick();
+  options.poses = {"rest"};
+  study.study.trials = 2;
+  study.study.sources.resize(1);
+  study.study.sources[0].type = study::SourceType::parallel;
+  study.study.sources[0].sequence = study::Sequence::grid;
+  study.study.sources[0].cell = 0.02;
+  // From behind nothing of the spleen is open under the vest, in any trial.
+  study.study.sources[0].azimuth = 180.0;
+  study.study.stop = study::StopRule{{"kidney_left"}, 0.05, 40};
+  const RunResult result = run(study, options);
+  EXPECT_LT(result.results[0].trials.size(), 40U);
+  EXPECT_EQ(result.results[0].goalReached, true);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "lorica/io/import.h"
 #include "lorica/study/study_file.h"
 #include "prepare_source.h"
+#include "references.h"
 
 namespace lorica::analysis {
 
@@ -91,6 +92,7 @@ base::Issues checkStudy(const std::filesystem::path& path, base::Threads threads
       issues.push_back({Severity::error, error.file(), error.place(), error.text()});
     }
   }
+  base::append(issues, danglingReferences(loaded));
   for (const std::string& pose : defaultPoses(loaded.study)) {
     try {
       resolvePose(loaded, pose);

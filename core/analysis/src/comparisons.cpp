@@ -96,18 +96,23 @@ void adjust(std::span<Comparison> rows) {
   std::vector<double> exact;
   std::vector<double> paired;
   for (const Comparison& row : rows) {
-    exact.push_back(row.mcNemarP);
+    if (row.mcNemarP) {
+      exact.push_back(*row.mcNemarP);
+    }
     if (row.pairedP) {
       paired.push_back(*row.pairedP);
     }
   }
   exact = stats::holm(exact);
   paired = stats::holm(paired);
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].mcNemarHolm = exact[i];
-    if (rows[i].pairedP) {
-      rows[i].pairedHolm = paired[next++];
+  std::size_t nextExact = 0;
+  std::size_t nextPaired = 0;
+  for (Comparison& row : rows) {
+    if (row.mcNemarP) {
+      row.mcNemarHolm = exact[nextExact++];
+    }
+    if (row.pairedP) {
+      row.pairedHolm = paired[nextPaired++];
     }
   }
 }
@@ -119,6 +124,12 @@ struct Place {
   const SourcePoseResult& here;
   const Tally sum;
 
+  /// McNemar's test of the shots that only one of two has.
+  void testExactly(Comparison& row) const {
+    if (shotline::independentShots(result.sources[here.source].source)) {
+      row.mcNemarP = stats::mcNemar(row.onlyFirst, row.onlySecond).exactP;
+    }
+  }
   Comparison head(const char* what, const std::string& held) const {
     Comparison row;
     row.what = what;
@@ -142,7 +153,7 @@ void compareSystems(const Place& place, std::size_t model, std::size_t a, std::s
     const std::size_t pair = target.pairTarget(place.here.pairs, model);
     row.onlyFirst = place.here.pairs.onlyProtected(pair, a, b);
     row.onlySecond = place.here.pairs.onlyProtected(pair, b, a);
-    row.mcNemarP = stats::mcNemar(row.onlyFirst, row.onlySecond).exactP;
+    place.testExactly(row);
     comparePaired(
         row, place.here, [&](const Tally& t) { return target.in(t, model, a); },
         [&](const Tally& t) { return target.in(t, model, b); });
@@ -163,7 +174,7 @@ void compareModels(const Place& place, std::size_t system, std::size_t a, std::s
     row.coverageSecond = coverageOf(target.in(place.sum, b, system));
     row.onlyFirst = place.here.pairs.onlyHit(*target.organ, a, b);
     row.onlySecond = place.here.pairs.onlyHit(*target.organ, b, a);
-    row.mcNemarP = stats::mcNemar(row.onlyFirst, row.onlySecond).exactP;
+    place.testExactly(row);
     comparePaired(
         row, place.here, [&](const Tally& t) { return target.in(t, a, system); },
         [&](const Tally& t) { return target.in(t, b, system); });

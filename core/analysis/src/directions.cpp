@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -83,6 +84,9 @@ std::string directionsCsv(const LoadedStudy& study, const RunResult& plan,
     single.systems = plan.systems;
     single.results = {{0, 0, {direction.tally}, {}, {}}};
     for (ResultRow& row : summaryRows(study, single)) {
+      if (row.structure == "miss" && row.kind == "body") {
+        continue;  // nothing is covered there
+      }
       const std::array<std::string, 5> key{row.system, row.model, row.pose, row.kind, row.structure};
       std::vector<Row>& group = groups[key];
       if (group.empty()) {
@@ -99,13 +103,17 @@ std::string directionsCsv(const LoadedStudy& study, const RunResult& plan,
     const std::vector<Row>& group = groups[key];
     const Row* lowest = nullptr;
     const Row* largest = nullptr;
+    const bool covers =
+        std::any_of(group.begin(), group.end(), [](const Row& here) { return here.row.count.shielded > 0; });
     for (const Row& here : group) {
-      const auto coverage = here.row.coverage();
-      if (coverage && (lowest == nullptr || *coverage < *lowest->row.coverage() ||
-                       (*coverage == *lowest->row.coverage() && here.open() > lowest->open()))) {
+      // By the upper end of the interval: a few hits that went through are no evidence yet.
+      const auto surely = [](const Row& row) { return row.row.coverageInterval()->high; };
+      if (covers && here.row.coverage() &&
+          (lowest == nullptr || surely(here) < surely(*lowest) ||
+           (surely(here) == surely(*lowest) && here.open() > lowest->open()))) {
         lowest = &here;
       }
-      if (here.row.unprotected() > 0 && (largest == nullptr || here.open() > largest->open())) {
+      if (covers && here.row.unprotected() > 0 && (largest == nullptr || here.open() > largest->open())) {
         largest = &here;
       }
     }

@@ -142,6 +142,11 @@ void Importer::addOrgan(const fs::path& file) {
   const auto add = [&](const std::string& name, std::vector<std::string> parts) {
     study::Organ organ;
     organ.name = names_.unique(name);
+    if (organ.name != name) {
+      result_.issues.push_back(
+          {base::Severity::warning, input.path, "",
+           fmt::format("the name \"{}\" is taken; this one is \"{}\". Is a file given twice?", name, organ.name)});
+    }
     organ.mesh.from = input;
     organ.mesh.parts = std::move(parts);
     organ.injuryClass = injuryClassOf(organ.name);

@@ -10,6 +10,7 @@
 #include "lorica/analysis/results.h"
 #include "lorica/base/error.h"
 #include "lorica/io/export.h"
+#include "references.h"
 
 namespace lorica::analysis {
 
@@ -19,10 +20,7 @@ namespace {
 std::vector<double> frameTimes(const LoadedStudy& study, const study::MotionSettings& motion) {
   const auto clip =
       std::find_if(study.clips.begin(), study.clips.end(), [&](const human::Clip& c) { return c.name == motion.clip; });
-  if (clip == study.clips.end()) {
-    throw base::InputError(study.file.string(), "/analyses/motion/clip",
-                           fmt::format("the body has no clip named \"{}\"", motion.clip));
-  }
+  LORICA_CHECK(clip != study.clips.end(), "a clip of the body");
   const double duration = clip->duration();
   const double step = static_cast<double>(motion.every) / motion.framesPerSecond;
   std::vector<double> times;
@@ -52,6 +50,7 @@ RunResult asRun(const MotionResult& motion, const FrameResult& frame) {
 
 MotionResult overMotion(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress) {
   const study::MotionSettings& motion = *study.study.analyses.motion;
+  requireReferences(study);
   const std::vector<double> times = frameTimes(study, motion);
   MotionResult result;
   RunOptions frames = options;
@@ -65,7 +64,10 @@ MotionResult overMotion(const LoadedStudy& study, const RunOptions& options, con
   const std::size_t sources = result.plan.sources.size();
   result.frames.resize(sources * times.size());
   PosedScene scene(study, result.plan.models, std::nullopt, raycast::SceneUse::manyFrames, options.threads);
-  const double steps = static_cast<double>(result.frames.size()) * result.plan.trials;
+  double steps = 0.0;
+  for (std::size_t s = 0; s < sources; ++s) {
+    steps += static_cast<double>(times.size()) * trialsOf(result.plan, s);
+  }
   double step = 0.0;
   for (std::size_t frame = 0; frame < times.size(); ++frame) {
     scene.move(resolvePose(study, result.plan.poses[frame]).pose, options.threads);
@@ -75,7 +77,7 @@ MotionResult overMotion(const LoadedStudy& study, const RunOptions& options, con
       here.frame = frame;
       here.seconds = times[frame];
       const ShotSource& source = result.plan.sources[s];
-      for (std::uint32_t trial = 0; trial < result.plan.trials; ++trial, step += 1.0) {
+      for (std::uint32_t trial = 0; trial < trialsOf(result.plan, s); ++trial, step += 1.0) {
         here.trials.push_back(shotline::trace(scene.scene(), scene.layout(),
                                               shotline::ShotGenerator(source.source, result.plan.seed, trial),
                                               source.shots, options.threads,

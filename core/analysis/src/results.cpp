@@ -11,6 +11,7 @@
 #include "lorica/analysis/directions.h"
 #include "lorica/analysis/gaps.h"
 #include "lorica/analysis/posed_scene.h"
+#include "lorica/base/error.h"
 #include "lorica/base/files.h"
 #include "lorica/io/export.h"
 #include "lorica/study/provenance.h"
@@ -124,6 +125,7 @@ void forEachBlock(const RunResult& result, const Emit& emit) {
           head.pose = result.poses[p];
           head.measure = result.sources[s].measure;
           head.independent = shotline::independentShots(result.sources[s].source);
+          head.drawn = shotline::isDrawn(result.sources[s].source);
           emit(head, here, system, model);
         }
       }
@@ -144,7 +146,7 @@ void appendBasis(std::vector<std::string>& fields, const ResultRow& row) {
   const std::optional<stats::Interval> share = row.shareInterval();
   fields.push_back(low(share, 100.0));
   fields.push_back(high(share, 100.0));
-  fields.emplace_back(row.independent ? "wilson" : "trials");
+  fields.emplace_back(!row.drawn ? "none" : row.independent ? "wilson" : "trials");
   switch (row.measure.basis) {
     case shotline::Basis::solidAngle:
       fields.emplace_back("solid angle");
@@ -249,6 +251,21 @@ std::string trialsCsv(const std::vector<ResultRow>& rows) {
 
 namespace {
 
+/// The study's inputs; those written by hand, without a hash, get that of their file.
+std::vector<study::InputFile> hashedInputs(const LoadedStudy& study) {
+  std::vector<study::InputFile> inputs = study::inputFiles(study.study);
+  for (study::InputFile& input : inputs) {
+    if (input.sha256.empty()) {
+      try {
+        input.sha256 = study::sha256OfInput(study::resolve(input, study.file));
+      } catch (const base::InputError&) {
+        // Gone since it was read: then there is no hash to tell.
+      }
+    }
+  }
+  return inputs;
+}
+
 study::Provenance::SourceRecord recordOf(const ShotSource& source) {
   study::Provenance::SourceRecord record;
   record.source = source.source;
@@ -262,6 +279,7 @@ study::Provenance::SourceRecord recordOf(const ShotSource& source) {
 std::string provenanceJson(const LoadedStudy& study, const RunResult& result) {
   study::Provenance provenance;
   provenance.study = study.study;
+  provenance.inputs = hashedInputs(study);
   provenance.seed = result.seed;
   provenance.trials = result.trials;
   provenance.partial = result.partial;
@@ -275,8 +293,8 @@ std::string provenanceJson(const LoadedStudy& study, const RunResult& result) {
   }
   for (const SourcePoseResult& here : result.results) {
     provenance.runs.push_back({result.sources[here.source].source.name, result.poses[here.pose], here.trials.size(),
-                               here.counts.rays, here.counts.retraced, here.counts.unresolved,
-                               here.counts.nearOpenEdge});
+                               here.counts.rays, here.counts.retraced, here.counts.unresolved, here.counts.nearOpenEdge,
+                               here.goalReached});
   }
   for (std::size_t p = 0; p < result.collapsedSites.size(); ++p) {
     provenance.collapsedSites.push_back(result.collapsedSites[p]);

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <map>
 
-#include "lorica/analysis/anatomy.h"
-#include "lorica/analysis/gaps.h"
 #include "lorica/analysis/posed_scene.h"
 #include "lorica/analysis/results.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/study/reserved_names.h"
 #include "prepare_source.h"
+#include "references.h"
 
 namespace lorica::analysis {
 
@@ -110,19 +109,6 @@ void auditPose(const StudyAudit& audit, const PosedScene& scene, std::size_t pos
   }
 }
 
-/// Fails when the rule for stopping names something that is no organ.
-void checkStopRule(const LoadedStudy& study) {
-  const std::optional<study::StopRule>& stop = study.study.stop;
-  for (std::size_t i = 0; stop && i < stop->structures.size(); ++i) {
-    const bool known = std::any_of(study.organs.begin(), study.organs.end(),
-                                   [&](const auto& organ) { return organ->name == stop->structures[i]; });
-    if (!known) {
-      throw base::InputError(study.file.string(), fmt::format("/stop/structures/{}", i),
-                             fmt::format("the study has no organ named \"{}\"", stop->structures[i]));
-    }
-  }
-}
-
 /// The shots of a trial that a part is to shoot.
 shotline::ShotRange rangeOf(const RunPart& part, std::uint64_t shots) {
   // By quotient and remainder: shots * index may be more than 64 bits hold.
@@ -132,8 +118,13 @@ shotline::ShotRange rangeOf(const RunPart& part, std::uint64_t shots) {
   return {border(part.index), border(part.index + std::uint64_t{1}) - border(part.index)};
 }
 
-/// Whether the intervals the rule is about are narrow enough with these trials.
-bool narrowEnough(const LoadedStudy& study, const RunResult& result, const SourcePoseResult& here) {
+/// Half the width of the widest interval that the rule for stopping is about, with the trials so far.
+struct WidestInterval {
+  double half = 0.0;
+  std::string of;
+};
+
+WidestInterval widestInterval(const LoadedStudy& study, const RunResult& result, const SourcePoseResult& here) {
   const study::StopRule& stop = *study.study.stop;
   RunResult soFar;
   soFar.sources = {result.sources[here.source]};
@@ -144,41 +135,72 @@ bool narrowEnough(const LoadedStudy& study, const RunResult& result, const Sourc
   soFar.results[0].source = 0;
   soFar.results[0].pose = 0;
   const bool unarmoredOnly = result.systems.size() == 1;
-  const std::vector<ResultRow> rows = summaryRows(study, soFar);
-  return std::all_of(rows.begin(), rows.end(), [&](const ResultRow& row) {
+  WidestInterval widest;
+  for (const ResultRow& row : summaryRows(study, soFar)) {
     const bool chosen =
         row.kind == "organ" && (unarmoredOnly || row.system != study::unarmored) &&
         std::find(stop.structures.begin(), stop.structures.end(), row.structure) != stop.structures.end();
-    const auto interval = unarmoredOnly ? row.shareInterval() : row.coverageInterval();
-    return !chosen || (interval && 0.5 * (interval->high - interval->low) <= stop.halfWidth);
-  });
+    if (!chosen) {
+      continue;
+    }
+    std::optional<stats::Interval> interval = unarmoredOnly ? row.shareInterval() : row.coverageInterval();
+    if (!interval) {
+      // Trials that do not differ leave no spread to measure by. Their shots are spread more evenly than random ones,
+      // so Wilson's interval is on the safe side.
+      interval =
+          unarmoredOnly ? stats::wilson(row.count.any, row.shots) : stats::wilson(row.count.shielded, row.count.any);
+    }
+    const double half = 0.5 * (interval->high - interval->low);
+    if (half > widest.half) {
+      widest = {half, fmt::format("{} under {} in {}", row.structure, row.system, row.model)};
+    }
+  }
+  return widest;
 }
 
 /// \throw base::Cancelled; what was finished stays in the result
 void shootPose(const LoadedStudy& study, const PosedScene& scene, std::size_t pose, base::Threads threads,
                RunResult& result, const base::Progress& progress) {
-  const std::uint32_t most = study.study.stop ? std::max(result.trials, study.study.stop->maxTrials) : result.trials;
-  const double steps = static_cast<double>(result.sources.size()) * most;
+  const double sources = static_cast<double>(result.sources.size());
   for (std::size_t s = 0; s < result.sources.size(); ++s) {
     SourcePoseResult& here = result.results[s * result.poses.size() + pose];
+    const std::uint32_t least = trialsOf(result, s);
+    const bool goesOn = study.study.stop && shotline::isDrawn(result.sources[s].source);
+    const std::uint32_t most = goesOn ? std::max(least, study.study.stop->maxTrials) : least;
     for (std::uint32_t trial = 0; trial < most; ++trial) {
-      if (trial >= result.trials && narrowEnough(study, result, here)) {
+      if (trial >= least && widestInterval(study, result, here).half <= study.study.stop->halfWidth) {
         break;
       }
       const shotline::ShotGenerator shots(result.sources[s].source, result.seed, trial);
       shotline::CountAndCompare counted(scene.layout(), study.study.analyses.compare);
-      const double step = static_cast<double>(s) * most + trial;
+      const auto share = [&](double trials) { return (static_cast<double>(s) + trials / most) / sources; };
       const raycast::CastCounts counts =
           shotline::observeShots(scene.scene(), shots, rangeOf(result.part, result.sources[s].shots), threads,
-                                 progress.part(step / steps, (step + 1.0) / steps), counted);
+                                 progress.part(share(trial), share(trial + 1.0)), counted);
       here.trials.push_back(counted.tally());
       here.pairs.add(counted.pairs());
       here.counts.add(counts);
+    }
+    if (goesOn) {
+      const WidestInterval widest = widestInterval(study, result, here);
+      here.goalReached = widest.half <= study.study.stop->halfWidth;
+      if (!*here.goalReached) {
+        result.issues.push_back({base::Severity::warning, "",
+                                 fmt::format("source {}, pose {}", result.sources[s].source.name, result.poses[pose]),
+                                 fmt::format("the rule for stopping was not met after {} trials: half the interval of "
+                                             "{} is {:.3f}, the goal {:.3f}; "
+                                             "take more shots a trial or raise max_trials",
+                                             here.trials.size(), widest.of, widest.half, study.study.stop->halfWidth)});
+      }
     }
   }
 }
 
 }  // namespace
+
+std::uint32_t trialsOf(const RunResult& result, std::size_t source) {
+  return shotline::isDrawn(result.sources.at(source).source) ? result.trials : std::min(1U, result.trials);
+}
 
 RunResult planRun(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress) {
   RunResult result;
@@ -196,13 +218,7 @@ RunResult planRun(const LoadedStudy& study, const RunOptions& options, const bas
   }
   result.seed = options.seed.value_or(study.study.seed);
   result.trials = options.trials.value_or(study.study.trials);
-  checkStopRule(study);
-  if (study.study.analyses.gaps) {
-    checkGaps(study);
-  }
-  if (study.study.analyses.anatomy) {
-    jitterOf(study);
-  }
+  requireReferences(study);
   const Plan plan = planPoses(study, options, result, progress);
   if (progress.cancelled()) {
     result.partial = true;

@@ -44,9 +44,11 @@ std::vector<ShotDetails> shotDetails(const LoadedStudy& study, const RunResult& 
     throw base::InputError(study.file.string(), "/sources",
                            fmt::format("the study has no source named \"{}\"", name.source));
   }
-  if (name.trial >= plan.trials && !study.study.stop) {
-    throw base::InputError(study.file.string(), "/trials",
-                           fmt::format("there is no trial {}; the run has {}", name.trial + 1, plan.trials));
+  const std::uint32_t trials = trialsOf(plan, static_cast<std::size_t>(source - plan.sources.begin()));
+  if (name.trial >= trials && !(study.study.stop && shotline::isDrawn(source->source))) {
+    throw base::InputError(
+        study.file.string(), "/trials",
+        fmt::format("there is no trial {} of source \"{}\"; it has {}", name.trial + 1, name.source, trials));
   }
   if (name.shot >= source->shots) {
     throw base::InputError(

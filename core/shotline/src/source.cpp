@@ -45,8 +45,12 @@ Measure measureOf(const Source& source) {
   return {};
 }
 
+bool isDrawn(const Source& source) {
+  return !std::holds_alternative<ShotList>(source.shape);
+}
+
 bool independentShots(const Source& source) {
-  return source.sequence == Sequence::random && !std::holds_alternative<ShotList>(source.shape);
+  return source.sequence == Sequence::random && isDrawn(source);
 }
 
 Vec3d towards(double azimuth, double elevation) {

@@ -56,8 +56,9 @@ Json sourceJson(const Provenance::SourceRecord& record) {
   std::visit(ShapeJson{json}, record.source.shape);
   json["sequence"] = wordFor(record.source.sequence, sequenceWords);
   json["shots_per_trial"] = record.shots;
-  json["interval"] =
-      shotline::independentShots(record.source) ? "Wilson, 95 %" : "Student t across the trials, jackknife, 95 %";
+  json["interval"] = !shotline::isDrawn(record.source)           ? "none: the shots were chosen, not drawn"
+                     : shotline::independentShots(record.source) ? "Wilson, 95 %"
+                                                                 : "Student t across the trials, jackknife, 95 %";
   switch (record.measure.basis) {
     case shotline::Basis::solidAngle:
       json["solid_angle_sr"] = record.measure.total;
@@ -87,11 +88,14 @@ std::string provenanceText(const Provenance& provenance) {
   json["purpose"] = "coverage of the body by armor; nothing here says what a hit does";
   json["study"] = {{"name", provenance.study.name}, {"sha256", sha256(studyText(provenance.study))}};
   json["inputs"] = Json::array();
-  for (const InputFile& input : inputFiles(provenance.study)) {
+  for (const InputFile& input : provenance.inputs) {
     json["inputs"].push_back({{"file", input.path}, {"sha256", input.sha256}});
   }
   json["seed"] = provenance.seed;
   json["trials"] = provenance.trials;
+  if (const std::optional<StopRule>& stop = provenance.study.stop) {
+    json["stop"] = {{"structures", stop->structures}, {"half_width", stop->halfWidth}, {"max_trials", stop->maxTrials}};
+  }
   json["models"] = provenance.models;
   json["systems"] = provenance.systems;
   json["poses"] = provenance.poses;
@@ -112,6 +116,9 @@ std::string provenanceText(const Provenance& provenance) {
                             {"retraced", run.retraced},
                             {"unresolved", run.unresolved},
                             {"near_open_edge", run.nearOpenEdge}});
+    if (run.goalReached) {
+      json["runs"].back()["stop_goal_reached"] = *run.goalReached;
+    }
   }
   json["issues"] = Json::array();
   for (const base::Issue& issue : provenance.issues) {

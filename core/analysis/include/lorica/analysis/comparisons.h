@@ -22,8 +22,8 @@ struct Comparison {
   std::optional<double> coverageSecond;
   std::uint64_t onlyFirst = 0;  ///< shots protected (systems) or hit (models) in the first alone
   std::uint64_t onlySecond = 0;
-  double mcNemarP = 1.0;                    ///< exact
-  double mcNemarHolm = 1.0;                 ///< over the structures
+  std::optional<double> mcNemarP;           ///< exact; none where the shots of a trial are not independent
+  std::optional<double> mcNemarHolm;        ///< over the structures
   std::size_t trials = 0;                   ///< with a coverage in both
   std::optional<double> difference;         ///< mean over the trials of first minus second
   std::optional<stats::Interval> interval;  ///< 95 %, Student

@@ -23,8 +23,9 @@ struct DirectionResult {
 std::vector<DirectionResult> byDirection(const LoadedStudy& study, const RunResult& plan, base::Threads threads,
                                          const base::Progress& progress = {});
 
-/// A row for each (system, model, pose, direction, structure), with a mark at the direction of lowest coverage and at
-/// that of the largest unprotected area of each structure.
+/// A row for each (system, model, pose, direction, structure), with a mark at the direction of lowest coverage (that
+/// whose interval ends lowest) and at that of the largest unprotected area of each structure, where the system covers
+/// the structure at all.
 std::string directionsCsv(const LoadedStudy& study, const RunResult& plan, const std::vector<DirectionResult>& results);
 
 /// Counts of one frame of a motion from one source, over all trials.

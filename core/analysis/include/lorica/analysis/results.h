@@ -26,6 +26,7 @@ struct ResultRow {
   shotline::Count count;
   shotline::Measure measure;                       ///< what `shots` together make, as those of one trial do
   bool independent = true;                         ///< the shots of each other: Wilson's interval holds
+  bool drawn = true;                               ///< at random; a list of shots has no interval
   std::vector<stats::TrialCount> shareByTrial;     ///< any hits of shots, per trial of this row
   std::vector<stats::TrialCount> coverageByTrial;  ///< protected of any hits
 

@@ -41,6 +41,7 @@ struct SourcePoseResult {
   std::vector<shotline::Tally> trials;  ///< those that were finished
   raycast::CastCounts counts;           ///< over all of them
   shotline::PairTally pairs;            ///< over all of them, when the study asks for `compare`
+  std::optional<bool> goalReached{};    ///< whether the rule for stopping was met, where there is one
 };
 
 struct RunResult {
@@ -61,8 +62,13 @@ struct RunResult {
   bool partial = false;  ///< cancelled: `results` holds what was finished
 };
 
+/// How many trials a source has in a run, before a rule for stopping asks for more: a list of shots is the same in
+/// every trial, so it has one.
+std::uint32_t trialsOf(const RunResult& result, std::size_t source);
+
 /// What a run would shoot from and at, without a shot: `results` has no trials.
-/// \throw base::InputError for an unknown pose, a source that cannot be, an organ of the stop rule that is not there
+/// \throw base::InputError for an unknown pose, a source that cannot be, and for what the rule for stopping, the
+/// overlap policy or an analysis names and the study does not have
 RunResult planRun(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress = {});
 
 /// Runs. When cancelled, returns what was finished and marks it partial. The same study, options and seed give the

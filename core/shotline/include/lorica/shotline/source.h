@@ -95,6 +95,8 @@ struct Measure {
 /// What all shots of a source together make.
 Measure measureOf(const Source& source);
 
+/// Whether the shots are drawn anew in every trial; those of a list are the same.
+bool isDrawn(const Source& source);
 /// Whether the shots of one trial are independent of each other, as Wilson's interval asks.
 bool independentShots(const Source& source);
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,11 @@ struct Provenance {
     std::uint64_t retraced = 0;
     std::uint64_t unresolved = 0;
     std::uint64_t nearOpenEdge = 0;
+    std::optional<bool> goalReached{};  ///< whether the study's rule for stopping was met
   };
 
   Study study;
+  std::vector<InputFile> inputs;  ///< of the study, with the hashes of the files as they were read
   std::uint64_t seed = 0;
   std::uint32_t trials = 0;
   bool partial = false;
