@@ -22,8 +22,9 @@ using geometry::Vec3d;
 using test::PosedSkin;
 
 constexpr base::Threads kTwo{2};
-constexpr int kFrames = 8;        // of each clip
-constexpr double kLeast = 0.001;  // m
+constexpr int kFrames = 8;         // of each clip
+constexpr double kLeast = 0.001;   // m
+constexpr std::size_t kEvery = 8;  // vertex is asked whether it lies in a fold
 
 struct Worn {
   const ArmorPiece* piece = nullptr;
@@ -66,16 +67,18 @@ bool soft(const ArmorPiece& piece) {
 struct Strain {
   double least = 1.0;      ///< outside folds
   double greatest = -1.0;  ///< of soft pieces' outer face too
-  double near = 0.0;       ///< share of the vertices nearer than 1 mm or inside, outside folds, over the frames
-  double folded = 0.0;     ///< the same in folds
+  int near = 0;            ///< vertices nearer than 1 mm or inside, outside folds, over the frames
+  double folds = 0.0;      ///< share of the piece in folds, in the worst frame; of every eighth vertex
+  double entered = 0.0;    ///< share of the vertices nearer than 1 mm in folds, in the worst frame
   double deepest = 1.0;    ///< folds included
   double creased = 0.0;    ///< share of the edges over which a soft piece has folded back on itself, in the worst frame
 
   void add(const Strain& other) {
     least = std::min(least, other.least);
     greatest = std::max(greatest, other.greatest);
-    near = std::max(near, other.near);
-    folded = std::max(folded, other.folded);
+    near += other.near;
+    folds = std::max(folds, other.folds);
+    entered = std::max(entered, other.entered);
     deepest = std::min(deepest, other.deepest);
     creased = std::max(creased, other.creased);
   }
@@ -90,16 +93,21 @@ Strain measure(const ArmorPiece& piece, const geometry::Positions& moved, const 
     for (std::size_t v = begin; v < end; ++v) {
       const Vec3d p = moved[v].cast<double>();
       distance[v] = skin.distance(p, caster);
-      if (v < inner && distance[v] < kLeast) {
+      if (v < inner && (distance[v] < kLeast || v % kEvery == 0)) {
         fold[v] = skin.folds(p, caster) ? 1 : 0;
       }
     }
   });
   Strain strain;
   strain.greatest = *std::max_element(distance.begin(), distance.end());
+  const double one = 1.0 / static_cast<double>(inner);
+  const double ofAsked = 1.0 / static_cast<double>((inner + kEvery - 1) / kEvery);
   for (std::size_t v = 0; v < inner; ++v) {
-    const double share = distance[v] < kLeast ? 1.0 / static_cast<double>(inner) : 0.0;
-    (fold[v] != 0 ? strain.folded : strain.near) += share;
+    strain.folds += v % kEvery == 0 && fold[v] != 0 ? ofAsked : 0.0;
+    if (distance[v] < kLeast) {
+      strain.entered += fold[v] != 0 ? one : 0.0;
+      strain.near += fold[v] != 0 ? 0 : 1;
+    }
     strain.deepest = std::min(strain.deepest, distance[v]);
     strain.least = fold[v] != 0 ? strain.least : std::min(strain.least, distance[v]);
   }
@@ -137,18 +145,37 @@ double creases(const TriangleMesh& rest, const geometry::Positions& moved) {
 }
 
 void print(const std::string& clip, const std::string& piece, const Strain& strain) {
-  std::printf("%-14s %-17s %8.1f %8.1f %10.3f %10.2f %8.1f %8.2f\n", clip.c_str(), piece.c_str(), 1e3 * strain.least,
-              1e3 * strain.greatest, 100.0 * strain.near, 100.0 * strain.folded, 1e3 * strain.deepest,
-              100.0 * strain.creased);
+  std::printf("%-14s %-17s %8.1f %8.1f %8d %10.1f %12.1f %8.1f %9.2f\n", clip.c_str(), piece.c_str(),
+              1e3 * strain.least, 1e3 * strain.greatest, strain.near, 100.0 * strain.folds, 100.0 * strain.entered,
+              1e3 * strain.deepest, 100.0 * strain.creased);
 }
+
+/// The most of a soft piece that folds may hold, and that may be entered there, in any frame. A lowered arm lies along
+/// the whole side, a raised thigh along the whole groin; chest and back are nearly free of folds.
+struct MostInFolds {
+  double folds;
+  double entered;
+};
+MostInFolds mostInFolds(const std::string& piece) {
+  if (piece.starts_with("side_") || piece.starts_with("cummerbund_")) {
+    return {1.0, 0.65};
+  }
+  if (piece == "groin") {
+    return {1.0, 0.35};
+  }
+  const bool free = piece.starts_with("shoulder_") || piece == "collar";
+  return free ? MostInFolds{0.30, 0.02} : MostInFolds{0.45, 0.10};
+}
+
+constexpr double kDeepest = -0.020;  // m, of what enters a soft piece in a fold
 
 class ArmorInMotion : public testing::TestWithParam<human::Person> {};
 
 TEST_P(ArmorInMotion, StaysOnTheSkinThroughEveryTask) {
   const Wearer who(GetParam());
   ASSERT_EQ(who.clips.size(), 9U);
-  std::printf("%-14s %-17s %8s %8s %10s %10s %8s %8s\n", "clip", "piece", "least", "most", "% < 1 mm", "in folds",
-              "deepest", "% creased");
+  std::printf("%-14s %-17s %8s %8s %8s %10s %12s %8s %9s\n", "clip", "piece", "least", "most", "< 1 mm", "% in folds",
+              "% entered", "deepest", "% creased");
   for (const human::Clip& clip : who.clips) {
     std::vector<Strain> strains(who.pieces.size());
     for (int frame = 1; frame <= kFrames; ++frame) {
@@ -169,8 +196,10 @@ TEST_P(ArmorInMotion, StaysOnTheSkinThroughEveryTask) {
       const ArmorPiece& piece = *who.pieces[p].piece;
       print(clip.name, piece.name, strains[p]);
       if (soft(piece)) {
-        // Beside a fold, as where a lowered arm presses a heavy man's side, single vertices may be nearer or enter.
-        EXPECT_LE(strains[p].near, 0.005) << clip.name << " " << piece.name;
+        EXPECT_EQ(strains[p].near, 0) << clip.name << " " << piece.name;
+        EXPECT_LE(strains[p].folds, mostInFolds(piece.name).folds + 1e-9) << clip.name << " " << piece.name;
+        EXPECT_LE(strains[p].entered, mostInFolds(piece.name).entered) << clip.name << " " << piece.name;
+        EXPECT_GE(strains[p].deepest, kDeepest) << clip.name << " " << piece.name;
         EXPECT_LE(strains[p].greatest, 0.030) << clip.name << " " << piece.name;
         EXPECT_LE(strains[p].creased, 0.03) << clip.name << " " << piece.name;
       }

@@ -43,7 +43,7 @@ class PosedSkin {
 
   /// A fold: within kRoom of the point two places of the skin face one another, each before the other and with more
   /// than 120 degrees between their normals, or the skin has passed through itself: some of it lies inside the body.
-  /// What is worn there has no room.
+  /// Armor may lie as far off the skin as kRoom; where other skin comes as near, it meets what is worn there.
   bool folds(const geometry::Vec3d& p, raycast::Caster& caster) const {
     const std::vector<std::uint32_t> near = trianglesNear(p);
     for (const std::uint32_t a : near) {
@@ -59,7 +59,7 @@ class PosedSkin {
     });
   }
 
-  static constexpr double kRoom = 0.020;
+  static constexpr double kRoom = 0.030;
 
  private:
   using Cell = std::array<int, 3>;

@@ -434,8 +434,10 @@ TEST(TaskClips, AreWithinTheLimitsOfWomenAndMen) {
         }
       }
     }
-    const double floor = measuredOn(body).floor.value();
-    EXPECT_NEAR(who.at("kneel_aim", 0.5, Role::knee, Side::right).y() - floor, 0.031 * person.stature, 0.006);
+    const TaskOptions measured = measuredOn(body);
+    const double floor = measured.floor.value();
+    EXPECT_NEAR(who.at("kneel_aim", 0.5, Role::knee, Side::right).y() - floor, measured.kneeThickness * person.stature,
+                0.006);
     for (const Side side : kSides) {
       EXPECT_NEAR(who.fingertip("toe_touch", 0.5, side, person.stature).y() - floor, 0.012 * person.stature, 0.03);
       EXPECT_LT((who.at("squat", 0.5, Role::ankle, side) - who.atRest(Role::ankle, side)).norm(), 2e-3);
@@ -443,12 +445,13 @@ TEST(TaskClips, AreWithinTheLimitsOfWomenAndMen) {
   }
 }
 
-TEST(TaskOptions, OfABodyAreItsStatureAndItsSoles) {
+TEST(TaskOptions, OfABodyAreItsStatureItsSolesAndItsFlesh) {
   const TaskOptions options = measuredOn(builtIn());
   EXPECT_EQ(options.stature, 1.755);
   EXPECT_NEAR(options.floor.value(), 0.0, 0.002);
   const Actor measured(builtIn().skeleton, actor().roles(), options);
-  EXPECT_NEAR(measured.at("kneel_aim", 0.5, Role::knee, Side::right).y(), *options.floor + 0.031 * 1.755, 0.004);
+  EXPECT_NEAR(measured.at("kneel_aim", 0.5, Role::knee, Side::right).y(),
+              *options.floor + options.kneeThickness * 1.755, 0.004);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "hold_off.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
 
@@ -43,7 +44,10 @@ struct SkinCorner {
   std::uint32_t vertex = 0;
   double share = 0.0;
 };
-using SkinPlace = std::array<SkinCorner, 3>;
+struct SkinPlace {
+  std::uint32_t triangle = 0;
+  std::array<SkinCorner, 3> corners{};
+};
 
 /// The nearest place on the skin, for every vertex.
 std::vector<SkinPlace> nearestSkin(std::span<const Vec3f> positions, const parenting::BodyRig& body,
@@ -52,9 +56,10 @@ std::vector<SkinPlace> nearestSkin(std::span<const Vec3f> positions, const paren
   base::parallelFor(positions.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const auto nearest = raycast::closestPoint(body.restScene(), positions[v].cast<double>());
+      places[v].triangle = nearest ? nearest->triangle : 0;
       for (std::size_t c = 0; c < 3 && nearest; ++c) {
-        places[v][c] = {body.body().skin.triangles[nearest->triangle][c],
-                        std::max(0.0, nearest->barycentric[static_cast<Eigen::Index>(c)])};
+        places[v].corners[c] = {body.body().skin.triangles[nearest->triangle][c],
+                                std::max(0.0, nearest->barycentric[static_cast<Eigen::Index>(c)])};
       }
     }
   });
@@ -67,9 +72,9 @@ human::SkinWeights weightsAt(std::span<const SkinPlace> places, const human::Ski
   for (std::size_t v = 0; v < places.size(); ++v) {
     for (std::size_t c = 0; c < 3; ++c) {
       for (std::size_t k = 0; k < skin.influences; ++k) {
-        const std::size_t at = places[v][c].vertex * skin.influences + k;
-        influences[v * stride + c * skin.influences + k] = {skin.joints[at],
-                                                            places[v][c].share * static_cast<double>(skin.weights[at])};
+        const std::size_t at = places[v].corners[c].vertex * skin.influences + k;
+        influences[v * stride + c * skin.influences + k] = {
+            skin.joints[at], places[v].corners[c].share * static_cast<double>(skin.weights[at])};
       }
     }
   }
@@ -87,7 +92,7 @@ std::vector<Vec3f> centresAt(std::span<const SkinPlace> places, std::span<const 
   for (std::size_t v = 0; v < places.size(); ++v) {
     Vec3d sum = Vec3d::Zero();
     double share = 0.0;
-    for (const SkinCorner& corner : places[v]) {
+    for (const SkinCorner& corner : places[v].corners) {
       if (body.body().weights->isShared(corner.vertex)) {
         sum += corner.share * body.centres()[corner.vertex].cast<double>();
         share += corner.share;
@@ -102,7 +107,7 @@ std::vector<Vec3f> centresAt(std::span<const SkinPlace> places, std::span<const 
 double agreement(const human::SkinWeights& weights, std::size_t vertex, const human::SkinWeights& skin,
                  const SkinPlace& place) {
   double shared = 0.0;
-  for (const SkinCorner& corner : place) {
+  for (const SkinCorner& corner : place.corners) {
     for (std::size_t k = 0; k < skin.influences; ++k) {
       for (std::size_t o = 0; o < weights.influences; ++o) {
         const std::size_t theirs = corner.vertex * skin.influences + k;
@@ -116,91 +121,24 @@ double agreement(const human::SkinWeights& weights, std::size_t vertex, const hu
   return shared;
 }
 
-/// A way off the skin.
-struct Lift {
-  float height = 0.0F;  ///< of the vertex over the plane of the triangle under it, m
-  Vec3f normal = Vec3f::Zero();
-};
+// What agrees less moves apart.
+constexpr double kTogether = 0.5;
 
-Lift liftOver(const SkinFoot& foot, const Vec3f& p, std::span<const Vec3f> skin) {
-  const Vec3f& a = skin[foot.corners[0]];
-  const Vec3f normal = (skin[foot.corners[1]] - a).cross(skin[foot.corners[2]] - a).normalized();
-  return {normal.dot(p - a), normal};
-}
-
-// Nothing is lower: such a vertex is never lifted.
-constexpr float kAnyHeight = -1e6F;
-
-/// The triangle under each vertex. Across the fold of an armpit the nearest skin may be the arm's, which does not carry
-/// a vest: where the skin moves with other joints than the vertex there is nothing to be held off from.
-std::vector<SkinFoot> feetOf(std::span<const SkinPlace> places, std::span<const Vec3f> positions,
-                             const human::SkinWeights& weights, const parenting::BodyRig& body) {
-  constexpr double together = 0.5;
+/// How high each vertex is held over the skin. Across the fold of an armpit the nearest skin may be the arm's, which
+/// does not carry a vest: where the skin moves with other joints than the vertex there is nothing to be held off from.
+std::vector<float> leastHeights(std::span<const SkinPlace> places, std::span<const Vec3f> positions,
+                                const human::SkinWeights& weights, const parenting::BodyRig& body) {
   constexpr float pressed = 0.3F;        // share of the height at rest
   constexpr float pressedMost = 0.002F;  // m
-  std::vector<SkinFoot> feet(places.size());
+  std::vector<float> least(places.size(), kAnyHeight);
   for (std::size_t v = 0; v < places.size(); ++v) {
-    SkinFoot& foot = feet[v];
-    foot.corners = {places[v][0].vertex, places[v][1].vertex, places[v][2].vertex};
-    const float height = liftOver(foot, positions[v], body.body().skin.positions).height;
-    const bool carried = agreement(weights, v, *body.body().weights, places[v]) > together;
-    foot.least = carried && height > 0.0F ? height - std::min(pressed * height, pressedMost) : kAnyHeight;
-  }
-  return feet;
-}
-
-// What has sunk further than this has not been pressed: the skin has folded beneath it, and the further the less its
-// triangles say where outside is.
-constexpr float kSunk = 0.006F;  // m
-
-/// What takes each vertex as far off the skin as its foot says.
-std::vector<Vec3f> neededLifts(const PieceRig& piece, std::span<const Vec3f> skin, std::span<const Vec3f> posed,
-                               base::Threads threads) {
-  std::vector<Vec3f> lifts(posed.size(), Vec3f::Zero());
-  base::parallelFor(posed.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const SkinFoot& foot = piece.feet[v];
-      const Lift lift = liftOver(foot, posed[v], skin);
-      const float missing = foot.least - lift.height;
-      if (missing > 0.0F && missing < 2.0F * kSunk) {
-        lifts[v] = std::min(missing, 2.0F * kSunk - missing) * lift.normal;
-      }
+    const geometry::Triangle& corners = body.body().skin.triangles[places[v].triangle];
+    const float height = heightOver(corners, positions[v], body.body().skin.positions);
+    if (height > 0.0F && agreement(weights, v, *body.body().weights, places[v]) > kTogether) {
+      least[v] = height - std::min(pressed * height, pressedMost);
     }
-  });
-  return lifts;
-}
-
-/// Spreads the lifts over what surrounds them; each stays as long as it was along its own way.
-void spread(const geometry::SurfaceNeighbours& around, std::vector<Vec3f>& lifts) {
-  const std::vector<Vec3f> needed = lifts;
-  std::vector<Vec3f> smoother(lifts.size());
-  for (int round = 0; round < 3; ++round) {
-    for (std::size_t v = 0; v < lifts.size(); ++v) {
-      Vec3f mean = Vec3f::Zero();
-      for (std::size_t e = around.first[v]; e < around.first[v + 1]; ++e) {
-        mean += static_cast<float>(around.share[e]) * lifts[around.vertex[e]];
-      }
-      smoother[v] = 0.5F * (lifts[v] + mean);
-      const float squared = needed[v].squaredNorm();
-      const float reached = smoother[v].dot(needed[v]);
-      if (reached < squared) {
-        smoother[v] += (1.0F - reached / squared) * needed[v];
-      }
-    }
-    lifts.swap(smoother);
   }
-}
-
-/// Lifts what lies too near to the skin under it.
-void holdOff(const PieceRig& piece, std::span<const Vec3f> skin, std::span<Vec3f> posed, base::Threads threads) {
-  std::vector<Vec3f> lifts = neededLifts(piece, skin, posed, threads);
-  if (std::all_of(lifts.begin(), lifts.end(), [](const Vec3f& lift) { return lift.isZero(0.0F); })) {
-    return;
-  }
-  spread(piece.around, lifts);
-  for (std::size_t v = 0; v < posed.size(); ++v) {
-    posed[v] += lifts[v];
-  }
+  return least;
 }
 
 /// The weights a soft piece is carried by; true when they are its own.
@@ -232,7 +170,16 @@ void bindSoft(PieceRig& piece, const std::string& name, const parenting::BodyRig
   piece.centres = centresAt(places, piece.rest.positions, body);
   const bool own = takeWeights(piece, name, body, places, ownWeights, ownSkeleton);
   if (!own || fit == SoftFit::heldOff) {
-    piece.feet = feetOf(places, piece.rest.positions, *piece.weights, body);
+    std::vector<std::uint32_t> triangles(places.size());
+    std::transform(places.begin(), places.end(), triangles.begin(), [](const SkinPlace& p) { return p.triangle; });
+    const auto carries = [&](std::size_t v, std::uint32_t t) {
+      const geometry::Triangle& corners = body.body().skin.triangles[t];
+      constexpr double third = 1.0 / 3.0;
+      const SkinPlace middle{t, {{{corners[0], third}, {corners[1], third}, {corners[2], third}}}};
+      return agreement(*piece.weights, v, *body.body().weights, middle) > kTogether;
+    };
+    setFeet(piece, triangles, leastHeights(places, piece.rest.positions, *piece.weights, body), body.body().skin,
+            carries);
     piece.around = geometry::surfaceNeighbours(piece.rest);
   }
 }

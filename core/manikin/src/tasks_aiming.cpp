@@ -424,7 +424,9 @@ ProneWay proneWay(const Figure& figure, double armLean) {
                          tableValue(table, "hip, both", "abduction"),
                          -tableValue(table, "hip, both", "external rotation")};
   const double plantarflexion = tableValue(own, "ankle, both", "plantarflexion");
-  // The knees bend from the table's angle until the feet lie on the floor and not in it.
+  // The knees bend from the table's angle until the feet lie on the floor and not in it: on the joints of the toes,
+  // whose backs are lower than the tips of feet as flat as these.
+  const double joints = 0.0075 * figure.stature();
   double low = tableValue(table, "knee, both", "flexion");
   double high = low + 40.0;
   for (int i = 0; i < 30; ++i) {
@@ -432,7 +434,7 @@ ProneWay proneWay(const Figure& figure, double armLean) {
     bendLegs(figure, prone, hips, knee, -plantarflexion);
     const Stance stance = figure.take(prone);
     const double depth = std::max(footDepth(figure, stance, Side::left), footDepth(figure, stance, Side::right));
-    (depth > 0.0 ? low : high) = knee;
+    (depth + joints > 0.0 ? low : high) = knee;
   }
   for (Arm& arm : prone.arms) {
     arm.shoulder = {tableValue(own, "shoulder, both", "flexion"), tableValue(own, "shoulder, both", "abduction"), 0.0};

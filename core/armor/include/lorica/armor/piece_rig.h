@@ -4,8 +4,10 @@
 /// An armor piece made ready to follow the body. Armor lies outside the skin, so three rays from it are no use: a rigid
 /// piece is carried by the interior site nearest to it, a soft one follows the skin.
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lorica/geometry/smoothing.h"
 #include "lorica/parenting/body_rig.h"
@@ -23,10 +25,12 @@ enum class SoftFit {
   heldOff      ///< held off the skin under it too, as posePiece() says
 };
 
-/// The triangle of the skin that a vertex of a soft piece lies over at rest.
+/// The triangle of the skin that a vertex of a soft piece lies over at rest, and those about it.
 struct SkinFoot {
-  geometry::Triangle corners{};  ///< vertices of the skin
-  float least = 0.0F;            ///< m, over the triangle's plane in a pose
+  geometry::Triangle corners{};   ///< vertices of the skin
+  float least = 0.0F;             ///< m, over the triangle's plane in a pose
+  std::uint32_t aboutFirst = 0;   ///< of PieceRig::about
+  std::uint32_t aboutBehind = 0;  ///< behind the last of them
 };
 
 /// Immutable.
@@ -38,6 +42,7 @@ struct PieceRig {
   std::optional<human::SkinWeights> weights;  ///< for skinned pieces
   std::vector<geometry::Vec3f> centres;       ///< of human::skin(), those of the nearest skin; none when it has none
   std::vector<SkinFoot> feet;                 ///< one per vertex of a piece that is held off the skin; else none
+  std::vector<geometry::Triangle> about;      ///< the skin about the feet that are near to it
   geometry::SurfaceNeighbours around;         ///< of the vertices of such a piece
   base::Issues issues;
 };
@@ -59,8 +64,9 @@ human::SkinningDeltas pieceDeltas(const parenting::BodyRig& body, const std::opt
 
 /// The piece's vertices in a pose; at rest every vertex keeps its bits. A soft piece goes where its weights take it.
 /// Where that is nearer to the skin than its fabric lets itself be pressed, by three tenths of its height at rest or
-/// 2 mm, it is lifted off the triangle of the skin it lies over at rest, its surroundings along with it. Skin of
-/// elsewhere, a lowered arm, does not push it.
+/// 2 mm, it is lifted off the triangle of the skin it lies over at rest; where the skin about that triangle has come
+/// nearer than 1.8 mm, off that. Its surroundings are lifted along with it. Skin of elsewhere, a lowered arm, does not
+/// push it.
 /// \param deltas of pieceDeltas() for the same pose
 void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, const human::SkinningDeltas& deltas,
                std::span<geometry::Vec3f> posed, base::Threads threads);

@@ -28,7 +28,8 @@ struct TaskOptions {
   double pelvisThickness = 0.062;  ///< hip joints above the floor when lying prone
 };
 
-/// What can be measured on a body instead of guessed: its stature and its soles.
+/// What can be measured on a body instead of guessed: its stature, its soles and, where its joints are named as in the
+/// joint table, what lies between knees, elbows, hips and the floor.
 TaskOptions measuredOn(const Body& body);
 
 /// toe_touch, belly_twist, lateral_twist, squat, kneel_aim, prone_aim, arm_raise, walk, sit, in this order; see
