@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "check_analyses.h"
 #include "lorica/analysis/loaded_study.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
@@ -90,6 +91,11 @@ base::Issues checkStudy(const std::filesystem::path& path, base::Threads threads
     } catch (const base::InputError& error) {
       issues.push_back({Severity::error, error.file(), error.place(), error.text()});
     }
+  }
+  try {
+    checkAnalyses(loaded);
+  } catch (const base::InputError& error) {
+    issues.push_back({Severity::error, error.file(), error.place(), error.text()});
   }
   for (const std::string& pose : defaultPoses(loaded.study)) {
     try {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "check_analyses.h"
 #include "lorica/analysis/anatomy.h"
 #include "lorica/analysis/gaps.h"
 #include "lorica/analysis/posed_scene.h"
@@ -171,6 +172,15 @@ void shootPose(const LoadedStudy& study, const PosedScene& scene, std::size_t po
 
 }  // namespace
 
+void checkAnalyses(const LoadedStudy& study) {
+  if (study.study.analyses.gaps) {
+    checkGaps(study);
+  }
+  if (study.study.analyses.anatomy) {
+    jitterOf(study);
+  }
+}
+
 RunResult planRun(const LoadedStudy& study, const RunOptions& options, const base::Progress& progress) {
   RunResult result;
   result.issues = study.issues;
@@ -182,12 +192,7 @@ RunResult planRun(const LoadedStudy& study, const RunOptions& options, const bas
   result.seed = options.seed.value_or(study.study.seed);
   result.trials = options.trials.value_or(study.study.trials);
   checkStopRule(study);
-  if (study.study.analyses.gaps) {
-    checkGaps(study);
-  }
-  if (study.study.analyses.anatomy) {
-    jitterOf(study);
-  }
+  checkAnalyses(study);
   const Plan plan = planPoses(study, options, result, progress);
   if (progress.cancelled()) {
     result.partial = true;
