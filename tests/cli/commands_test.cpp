@@ -50,7 +50,7 @@ TEST_F(Commands, RunWritesGapsAndAnatomyWhereTheStudyAsks) {
   study["models"] = {"dynamic"};
   study["analyses"] = {{"gaps", {{"structures", {"heart", "body"}}}}, {"anatomy", {{"draws", 2}}}};
   write("s.lorica.json", study.dump());
-  const Outcome outcome = run("run s.lorica.json --out out --pose rest --trials 1 --shots 5000 --quiet");
+  const Outcome outcome = run("run s.lorica.json --out out --pose rest --trials 1 --shots 60000 --quiet");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(read("out/gaps.csv").starts_with("source,system,model,pose,structure,patch,region,area_cm2,"));
   EXPECT_NE(read("out/gaps.csv").find("front,plate_carrier,dynamic,rest,body,1,"), std::string::npos);
