@@ -91,7 +91,8 @@ TEST(Anatomy, QuantilesBehindAnEdgeAreThoseOfTheDisplacement) {
 
 TEST(Anatomy, WithoutDisplacementEveryDrawIsTheRunItself) {
   const test::TemporaryFolder folder;
-  const LoadedStudy study = ballBehindAnEdge(folder, 0.0);
+  LoadedStudy study = ballBehindAnEdge(folder, 0.0);
+  study.study.analyses.anatomy->draws = 3;
   const RunResult shot = run(study, {});
   const AnatomyResult result = overAnatomies(study, shot, {});
   const auto rows = summaryRows(study, shot);

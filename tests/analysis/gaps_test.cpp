@@ -34,34 +34,45 @@ RunOptions quick() {
   return options;
 }
 
+const RunResult& result() {
+  static const RunResult made = run(sample(), quick());
+  return made;
+}
+
+const std::vector<Gap>& found() {
+  static const std::vector<Gap> gaps = findGaps(sample(), result(), {});
+  return gaps;
+}
+
 TEST(GapFinder, PatchesHoldTheUnprotectedShotsOfTheRun) {
-  const RunResult result = run(sample(), quick());
-  const auto gaps = findGaps(sample(), result, {});
-  for (const ResultRow& row : summaryRows(sample(), result)) {
+  for (const ResultRow& row : summaryRows(sample(), result())) {
     if (row.structure != "heart" && row.structure != "body") {
       continue;
     }
     std::uint64_t open = 0;
+    std::uint64_t scattered = 0;
     double area = 0.0;
-    for (const Gap& gap : gaps) {
-      if (result.systems[gap.system] == row.system && gap.structure == row.structure) {
+    for (const Gap& gap : found()) {
+      if (result().systems[gap.system] == row.system && gap.structure == row.structure) {
         EXPECT_LE(gap.openShots, row.unprotected());
         EXPECT_LE(gap.patch.area, gap.patch.extent);
-        open += gap.patch.open;
+        (gap.number == 0 ? scattered : open) += gap.patch.open;
         area += gap.patch.area;
       }
     }
-    EXPECT_LE(open, row.unprotected());
+    EXPECT_LE(row.unprotected() - open - scattered, row.unprotected() / 100) << "off the skin";
+    if (row.structure == "body") {
+      EXPECT_EQ(open + scattered, row.unprotected());
+    }
     EXPECT_GE(static_cast<double>(open), 0.9 * static_cast<double>(row.unprotected())) << row.system << row.structure;
     EXPECT_EQ(area > 0.0, open > 0);
   }
 }
 
 TEST(GapFinder, TheBodyWithoutArmorIsOpenOverItsFrontAndItsPatchesHaveNoNeighbours) {
-  const RunResult result = run(sample(), quick());
-  for (const Gap& gap : findGaps(sample(), result, {})) {
+  for (const Gap& gap : found()) {
     EXPECT_EQ(gap.system == 0 ? gap.neighbours.size() : 0U, 0U);
-    EXPECT_GT(gap.towards.z(), 0.9) << "shots come from ahead";
+    EXPECT_TRUE(gap.number == 0 || gap.towards.z() > 0.9) << "shots come from ahead";
     for (const Gap::Neighbour& neighbour : gap.neighbours) {
       EXPECT_LE(neighbour.distance, neighbourReach);
     }
@@ -72,19 +83,19 @@ TEST(GapFinder, WritesTheSameFilesAtAnyNumberOfThreads) {
   RunOptions options = quick();
   options.shots = 10000;
   options.trials = 1;
+  const RunResult once = run(sample(), options);
   std::vector<std::string> first;
   for (const int threads : {1, 2, 5}) {
     const test::TemporaryFolder folder;
-    options.threads = {threads};
-    const RunResult result = run(sample(), options);
-    const auto names = writeGaps(sample(), result, {threads}, folder.path());
-    ASSERT_EQ(names.size(), 1 + result.systems.size());
+    const auto names = writeGaps(sample(), once, {threads}, folder.path());
+    ASSERT_EQ(names.size(), 1 + once.systems.size());
     EXPECT_EQ(names[1], "gaps.front.unarmored.dynamic.toe_touch@2.vtp");
     std::vector<std::string> bytes;
     for (const std::string& name : names) {
       bytes.push_back(base::readFile(folder.path() / name));
     }
     EXPECT_NE(bytes[1].find("Name=\"heart share\""), std::string::npos);
+    EXPECT_NE(bytes[1].find("Name=\"heart patch\""), std::string::npos);
     EXPECT_TRUE(first.empty() || bytes == first);
     first = bytes;
     std::istringstream lines(bytes[0]);

@@ -45,6 +45,33 @@ TEST_F(Commands, RunTellsAllOfOneShotAndWritesEveryShot) {
   EXPECT_TRUE(read("out/hits.csv").starts_with("source,pose,trial,shot,order,structure,"));
 }
 
+TEST_F(Commands, RunWritesGapsAndAnatomyWhereTheStudyAsks) {
+  auto study = nlohmann::json::parse(run("template sample").out);
+  study["models"] = {"dynamic"};
+  study["analyses"] = {{"gaps", {{"structures", {"heart", "body"}}}}, {"anatomy", {{"draws", 2}}}};
+  write("s.lorica.json", study.dump());
+  const Outcome outcome = run("run s.lorica.json --out out --pose rest --trials 1 --shots 60000 --quiet");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(read("out/gaps.csv").starts_with("source,system,model,pose,structure,patch,region,area_cm2,"));
+  EXPECT_NE(read("out/gaps.csv").find("front,plate_carrier,dynamic,rest,body,1,"), std::string::npos);
+  EXPECT_TRUE(exists("out/gaps.front.full_torso.dynamic.rest.vtp"));
+  EXPECT_NE(read("out/anatomy.csv").find("front,full_torso,dynamic,rest,heart,organ,essential,unverified,"),
+            std::string::npos);
+  study["analyses"]["gaps"]["structures"] = {"gall_bladder"};
+  write("s.lorica.json", study.dump());
+  expectOneClearLine(run("run s.lorica.json --out out2 --quiet"), {"/analyses/gaps/structures/0", "gall_bladder"});
+  const Outcome check = run("check s.lorica.json");
+  EXPECT_EQ(check.code, 3);
+  EXPECT_NE(check.out.find("/analyses/gaps/structures/0: error"), std::string::npos) << check.out;
+  study["analyses"]["gaps"]["structures"] = {"heart"};
+  study["analyses"]["anatomy"] = {{"draws", 0}};
+  write("s.lorica.json", study.dump());
+  expectOneClearLine(run("run s.lorica.json --out out2 --quiet"), {"/analyses/anatomy/draws", "found 0"});
+  study["analyses"]["anatomy"] = {{"sd_mm", {{"gall_bladder", {1, 2, 3}}}}};
+  write("s.lorica.json", study.dump());
+  expectOneClearLine(run("run s.lorica.json --out out2 --quiet"), {"/analyses/anatomy/sd_mm", "gall_bladder"});
+}
+
 TEST_F(Commands, RunLeavesThreeFilesWithThePromisedColumns) {
   writeSample();
   const Outcome outcome = run("run s.lorica.json --out out --pose rest --trials 2 --shots 2000");

@@ -241,7 +241,8 @@ TEST(Gaps, WithoutArmorWhatTheShotsReachIsOnePatch) {
   EXPECT_EQ(ahead[0].hits, ahead[0].open);
   const auto around = body.patches(body.shoot(everyDirection(0.36), 300000)[0], 0);
   ASSERT_EQ(around.size(), 1U);
-  EXPECT_NEAR(around[0].area, 6 * 0.16, 1e-6) << "all of it";
+  // Some nine shots to a triangle: of 19,200 two or three have none, where nine were to be expected.
+  EXPECT_NEAR(around[0].area, 6 * 0.16, 10 * 0.5e-4) << "all of it";
 }
 
 TEST(Gaps, OnARoundBodyTheHoleIsTheCapBehindIt) {

@@ -238,7 +238,8 @@ double shareInside(const raycast::Scene& skin, std::span<const Vec3f> points, co
     return 1.0;
   }
   const Vec3f direction = (shift / length).cast<float>();
-  double room = length + leastDepth;
+  const double needed = length + leastDepth;
+  double room = needed;
   std::mutex merging;
   base::parallelFor(points.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
     raycast::Caster caster(skin);
@@ -246,7 +247,7 @@ double shareInside(const raycast::Scene& skin, std::span<const Vec3f> points, co
     for (std::size_t v = begin; v < end; ++v) {
       rays.push_back({points[v], direction});
     }
-    double nearest = length + leastDepth;
+    double nearest = needed;
     caster.castMany(rays, [&](std::size_t /*ray*/, std::span<const raycast::Hit> hits) {
       const auto first = std::find_if(hits.begin(), hits.end(),
                                       [&](const raycast::Hit& hit) { return hit.mesh == 0 && caster.isClosed(hit); });
@@ -257,7 +258,7 @@ double shareInside(const raycast::Scene& skin, std::span<const Vec3f> points, co
     const std::lock_guard lock(merging);
     room = std::min(room, nearest);
   });
-  return std::clamp((room - leastDepth) / length, 0.0, 1.0);
+  return room == needed ? 1.0 : std::clamp((room - leastDepth) / length, 0.0, 1.0);
 }
 
 AnatomyResult overAnatomies(const LoadedStudy& study, const RunResult& run, base::Threads threads,

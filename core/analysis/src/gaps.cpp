@@ -171,14 +171,25 @@ void appendGaps(const Block& block, std::vector<Gap>& gaps) {
         const auto sums = std::span(counts.towards).subspan(3 * triangles * system, 3 * triangles);
         Gap gap{block.source, system, model, block.pose, wanted.structures[i]};
         gap.openShots = std::accumulate(open.begin(), open.end(), std::uint64_t{0});
+        shotline::OpenPatch rest;  // what enters no patch
+        rest.hits = std::accumulate(counts.skin.hits.begin(), counts.skin.hits.end(), std::uint64_t{0});
+        rest.open = gap.openShots;
         for (shotline::OpenPatch& patch : shotline::openPatches(
                  *block.study.body->skinTopology(), block.scene.body().skin, counts.skin.hits, open, rule)) {
           ++gap.number;
           gap.region = regionOf(block.study, patch, open);
           gap.towards = meanTowards(patch, sums);
           gap.neighbours = pieces.near(patch, system);
+          rest.hits -= patch.hits;
+          rest.open -= patch.open;
           gap.patch = std::move(patch);
           gaps.push_back(gap);
+        }
+        if (rest.open > 0) {
+          Gap scattered{block.source, system, model, block.pose, wanted.structures[i]};
+          scattered.openShots = gap.openShots;
+          scattered.patch = std::move(rest);
+          gaps.push_back(std::move(scattered));
         }
       }
     }
@@ -338,6 +349,8 @@ std::string gapsCsv(const RunResult& result, const std::vector<Gap>& gaps) {
                                 tenths(1000.0 * neighbour.distance));
     }
     const auto open = static_cast<double>(gap.patch.open);
+    // Shots of no patch have no place.
+    const auto ofPatch = [&](std::string value) { return gap.number == 0 ? std::string() : std::move(value); };
     text += io::csvRow(std::array{result.sources[gap.source].source.name,
                                   result.systems[gap.system],
                                   std::string(viscera::name(result.models[gap.model])),
@@ -345,14 +358,14 @@ std::string gapsCsv(const RunResult& result, const std::vector<Gap>& gaps) {
                                   gap.structure,
                                   std::to_string(gap.number),
                                   gap.region,
-                                  io::csvNumber(1e4 * gap.patch.area),
-                                  io::csvNumber(1e4 * gap.patch.extent),
-                                  io::csvNumber(gap.patch.centre.x()),
-                                  io::csvNumber(gap.patch.centre.y()),
-                                  io::csvNumber(gap.patch.centre.z()),
-                                  tenths(azimuth < -0.05 ? azimuth + 360.0 : std::max(azimuth, 0.0)),
-                                  tenths(elevation),
-                                  tenths(base::degrees(std::sqrt(2.0 * (1.0 - resultant)))),
+                                  ofPatch(io::csvNumber(1e4 * gap.patch.area)),
+                                  ofPatch(io::csvNumber(1e4 * gap.patch.extent)),
+                                  ofPatch(io::csvNumber(gap.patch.centre.x())),
+                                  ofPatch(io::csvNumber(gap.patch.centre.y())),
+                                  ofPatch(io::csvNumber(gap.patch.centre.z())),
+                                  ofPatch(tenths(azimuth < -0.05 ? azimuth + 360.0 : std::max(azimuth, 0.0))),
+                                  ofPatch(tenths(elevation)),
+                                  ofPatch(tenths(base::degrees(std::sqrt(2.0 * (1.0 - resultant))))),
                                   std::to_string(gap.patch.hits),
                                   std::to_string(gap.patch.open),
                                   io::csvNumber(open / static_cast<double>(gap.patch.hits)),

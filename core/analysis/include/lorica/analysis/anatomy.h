@@ -72,7 +72,7 @@ struct AnatomyResult {
 /// as the posed organ is against rest, and shortened where the organ would leave the skin (shareInside). Only organs
 /// are refitted. Memory does not grow with the shots. The same run gives the same result at any number of threads. \pre
 /// the study asks for anatomy \throw base::InputError as jitterOf, base::Cancelled
-AnatomyResult overAnatomies(const LoadedStudy& study, const RunResult& result, base::Threads threads,
+AnatomyResult overAnatomies(const LoadedStudy& study, const RunResult& run, base::Threads threads,
                             const base::Progress& progress = {});
 
 /// A row for each (source, system, model, pose, structure): the coverage of the run with its interval, and the 5th,

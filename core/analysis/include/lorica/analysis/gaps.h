@@ -12,7 +12,8 @@
 
 namespace lorica::analysis {
 
-/// One patch of skin through which shots reach a structure unprotected.
+/// One patch of skin through which shots reach a structure unprotected; or, with number 0 and without a place, all
+/// unprotected shots that enter the skin in none.
 struct Gap {
   std::size_t source = 0;
   std::size_t system = 0;  ///< index into RunResult::systems
