@@ -6,8 +6,10 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QTabWidget>
 #include <cstdio>
+#include <functional>
 
 #include "look.h"
 #include "lorica/commands/shot_edits.h"
@@ -23,6 +25,12 @@ using lorica::document::ItemRef;
 using lorica::gui::MainWindow;
 using lorica::gui::patience;
 using lorica::gui::Photographer;
+
+void waitFor(const std::function<bool()>& holds) {
+  if (!QTest::qWaitFor(holds, patience)) {
+    std::fprintf(stderr, "something takes very long\n");
+  }
+}
 
 /// Adds the sources; the list gets a file of its own.
 void addSources(MainWindow& window, const QString& folder) {
@@ -62,11 +70,11 @@ void takeSurvey(Photographer& photographer, MainWindow& window) {
     std::fprintf(stderr, "no run: %s\n", qPrintable(why));
     return;
   }
-  QTest::qWaitFor([&] { return window.runs().job() == nullptr; }, patience);
+  waitFor([&] { return window.runs().job() == nullptr; });
   window.showSurvey();
   photographer.take("survey_asked");
   window.survey().compute();
-  QTest::qWaitFor([&] { return !window.survey().isBusy(); }, patience);
+  waitFor([&] { return !window.survey().isBusy(); });
   photographer.take("survey_map");
   auto* what = window.survey().findChild<QComboBox*>("survey_what");
   what->setCurrentIndex(1);
@@ -96,7 +104,7 @@ int main(int argc, char** argv) {
   photographer.take("shot_empty");
   addSources(window, argv[1]);
   photographer.settle("rest");
-  QTest::qWaitFor([&] { return window.document().plan() != nullptr; }, patience);
+  waitFor([&] { return window.document().plan() != nullptr; });
   window.showShotLines();
   QTest::qWait(2500);
   lorica::dialogs::ShotLineDialog& dialog = window.shotLines();
@@ -123,9 +131,9 @@ int main(int argc, char** argv) {
   window.document().select(std::nullopt);
   window.view().lookFrom(lorica::viewport::StandardView::left);
   window.view().fit();
-  QTest::qWaitFor([&] { return window.view().frame()->shotsOfRun; }, patience);
+  waitFor([&] { return window.view().frame()->shotsOfRun; });
   window.shot().inspect("window:1:7");
-  QTest::qWaitFor([&] { return window.shot().inspection() != nullptr; }, patience);
+  waitFor([&] { return window.shot().inspection() != nullptr; });
   photographer.take("shot");
   window.shot().inspect("nowhere:1:7");
   QTest::qWait(500);

@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
@@ -102,6 +103,20 @@ TEST_F(Form, ShowsEverySourceWithoutChangingAByte) {
   EXPECT_EQ(text(), before);
 }
 
+TEST_F(Form, RowsThatWereHiddenAreThereAgainInTheirHeight) {
+  for (const char* name : {"listed", "window", "ground", "window"}) {
+    show(name);
+    QCoreApplication::processEvents();
+  }
+  put("width", 0.0);
+  QCoreApplication::processEvents();
+  for (const char* row : {"position", "seen", "target", "sampler", "width", "width_trouble", "height", "shots"}) {
+    EXPECT_TRUE(editor<QWidget>(row)->isVisibleTo(&form_)) << row;
+    EXPECT_GT(editor<QWidget>(row)->height(), 5) << row;
+    EXPECT_LT(editor<QWidget>(row)->height(), 60) << row;
+  }
+}
+
 /// One edit in the form of a source, and what it makes of it.
 struct FormEdit {
   const char* source;
@@ -144,8 +159,8 @@ INSTANTIATE_TEST_SUITE_P(
                     FormEdit{"ground", "elevation_band_from", -5.0, [](const auto& s) { return s.elevation.from; }},
                     FormEdit{"ground", "elevation_band_to", 60.0, [](const auto& s) { return s.elevation.to; }},
                     FormEdit{"sphere", "shots", 4096, [](const auto& s) { return double(s.shots); }}),
-    [](const auto& info) {
-      return QString("%1_%2").arg(info.param.source, info.param.editor).remove(' ').toStdString();
+    [](const auto& edit) {
+      return QString("%1_%2").arg(edit.param.source, edit.param.editor).remove(' ').toStdString();
     });
 
 TEST_F(Form, ASourceBecomesEveryOtherTypeAndComesBackToTheByte) {

@@ -118,16 +118,17 @@ TEST(SourceShape, AListIsASampleOfItsShots) {
   EXPECT_GT(shape.lines.size(), 30U);
   EXPECT_LT(shape.lines.size(), 100U);
   EXPECT_LT(shape.lines[0][1].z(), aim.z()) << "through the body";
-  EXPECT_FALSE(compassOf(source, aim, radius)) << "it has no direction of its own";
+  EXPECT_FALSE(compassOf(source, aim, radius, 0.0)) << "it has no direction of its own";
 }
 
 TEST(Compass, LabelsStandWhereTheConventionPutsThem) {
-  const auto compass = compassOf(pointAt({1, 2, 5}, Sampler::cone), aim, radius);
+  const auto compass = compassOf(pointAt({1, 2, 5}, Sampler::cone), aim, radius, 0.0);
   ASSERT_TRUE(compass);
   const auto along = [&](const char* start) {
     for (const CompassLabel& label : compass->labels) {
       if (label.text.startsWith(QString::fromUtf8(start)) && !label.ofSource) {
-        return Vec3d((label.place - aim).normalized());
+        const Vec3d centre = label.strong && label.text.startsWith("elev") ? aim : Vec3d(aim.x(), 0.0, aim.z());
+        return Vec3d((label.place - centre).normalized());
       }
     }
     ADD_FAILURE() << start;
@@ -142,7 +143,7 @@ TEST(Compass, LabelsStandWhereTheConventionPutsThem) {
 
 TEST(Compass, PointsAtTheSourceAndSaysItsAngles) {
   study::Source source = pointAt(aim + Vec3d(2.0, 0.0, 2.0), Sampler::cone);
-  auto compass = compassOf(source, aim, radius);
+  auto compass = compassOf(source, aim, radius, 0.0);
   ASSERT_TRUE(compass);
   const Vec3d seen = compass->strong.back().back() - aim;
   EXPECT_LT((seen.normalized() - Vec3d(1, 0, 1).normalized()).norm(), 1e-9);
@@ -151,7 +152,7 @@ TEST(Compass, PointsAtTheSourceAndSaysItsAngles) {
   source.type = SourceType::parallel;
   source.azimuth.from = -30.0;
   source.elevation.from = 12.5;
-  compass = compassOf(source, aim, radius);
+  compass = compassOf(source, aim, radius, 0.0);
   EXPECT_EQ(compass->labels.back().text, QString::fromUtf8("azimuth -30°, elevation 12.5°"));
 }
 

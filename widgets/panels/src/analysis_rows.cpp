@@ -115,7 +115,7 @@ void addDirectionRows(PropertyForm& form) {
   StudyDocument& document = form.document();
   const auto directions = [&document] { return document.study().analyses.directions; };
   form.check(
-      {"directions", QLatin1String(""),
+      {"directions", QString(),
        Text::tr("Parallel beams from the middles of equal steps of azimuth and elevation, at every pose")},
       Text::tr("Coverage by direction"), [directions] { return directions().has_value(); },
       [&document](bool on) {
@@ -156,7 +156,7 @@ void addMotionRows(PropertyForm& form) {
   StudyDocument& document = form.document();
   const auto motion = [&document] { return document.study().analyses.motion; };
   QCheckBox* box = form.check(
-      {"motion", QLatin1String(""), Text::tr("Coverage of the frames of a motion from every source")},
+      {"motion", QString(), Text::tr("Coverage of the frames of a motion from every source")},
       Text::tr("Coverage over a motion"), [motion] { return motion().has_value(); },
       [&document](bool on) {
         editAnalyses(document, [&](study::Analyses& analyses) {
@@ -274,9 +274,9 @@ void addStopRows(PropertyForm& form) {
   StudyDocument& document = form.document();
   const auto rule = [&document] { return document.study().stop; };
   QCheckBox* box = form.check(
-      {"stop", QLatin1String(""),
+      {"stop", QString(),
        Text::tr("More trials follow until the 95 % interval of each chosen organ's coverage is narrow enough")},
-      Text::tr("Go on until results are certain"), [rule] { return rule().has_value(); },
+      Text::tr("Go on until certain"), [rule] { return rule().has_value(); },
       [&document](bool on) {
         if (on) {
           editStop(document, [&](study::StopRule& stop) { stop.structures = organsToWatch(document.study()); });
@@ -322,11 +322,11 @@ void addStopRows(PropertyForm& form) {
 void addAnalysesRows(PropertyForm& form) {
   StudyDocument& document = form.document();
   form.check(
-      {"compare", QLatin1String(""), Text::tr("Armor systems and organ models on the same shots, each piece left out")},
+      {"compare", QString(), Text::tr("Armor systems and organ models on the same shots, each piece left out")},
       Text::tr("Compare systems and models"), [&document] { return document.study().analyses.compare; },
       [&document](bool on) { editAnalyses(document, [on](study::Analyses& analyses) { analyses.compare = on; }); });
   form.check(
-      {"convergence", QLatin1String(""), Text::tr("Coverage and interval after 1, 2, 3 and so on trials")},
+      {"convergence", QString(), Text::tr("Coverage and interval after 1, 2, 3 and so on trials")},
       Text::tr("Convergence over the trials"), [&document] { return document.study().analyses.convergence; },
       [&document](bool on) { editAnalyses(document, [on](study::Analyses& analyses) { analyses.convergence = on; }); });
   addDirectionRows(form);

@@ -10,6 +10,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPlainTextEdit>
+#include <QResizeEvent>
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QToolButton>
@@ -71,6 +72,24 @@ class Paragraph : public QPlainTextEdit {
 
  private:
   std::function<void()> done_;
+};
+
+/// Wrapped text that asks for its height as a plain widget does: where a form has rows whose height follows their
+/// width, Qt gives rows that come back no height.
+class WrappedLabel : public QLabel {
+ public:
+  using QLabel::QLabel;
+  bool hasHeightForWidth() const override { return false; }
+  QSize sizeHint() const override { return {QLabel::sizeHint().width(), heightForWidth(width())}; }
+  QSize minimumSizeHint() const override { return {0, heightForWidth(width())}; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QLabel::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width()) {
+      updateGeometry();
+    }
+  }
 };
 
 /// Wheels scroll the panel; a number changes under the wheel only once it was clicked.
@@ -159,7 +178,7 @@ ElidedLabel* PropertyForm::fact(const Field& field, std::function<QString()> get
 }
 
 QLabel* PropertyForm::note(const Field& field, std::function<QString()> get) {
-  auto* label = new QLabel(this);
+  auto* label = new WrappedLabel(this);
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   // A long word is no reason to widen the form.

@@ -152,6 +152,7 @@ void ShotPanel::refreshTable() {
   }
   if (!any) {
     table_->setRows({});
+    view_->resizeColumnsToContents();
     return;
   }
   const std::string system = systems_->currentText().toStdString();

@@ -122,8 +122,9 @@ class SourceRows {
         });
     form_.showRowWhile(position, isPoint);
     QWidget* seen = form_.numbers(
-        {"seen", Text::tr("Seen from the target"),
-         Text::tr("Azimuth (0 ahead of the person, 90 on the person's left), elevation above level, and distance")},
+        {"seen", Text::tr("Direction"),
+         Text::tr("Seen from the target: azimuth (0 ahead of the person, 90 on the person's left), elevation above "
+                  "level, and distance")},
         {{"azimuth", {-360.0, 360.0, 5.0, 2, degreeSign}, Text::tr("az ")},
          {"elevation", {-90.0, 90.0, 5.0, 2, degreeSign}, Text::tr("el ")},
          {"distance", {0.001, 1000.0, 0.1, 3, Text::tr(" m")}, {}}},

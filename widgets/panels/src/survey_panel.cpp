@@ -308,13 +308,14 @@ void SurveyPanel::drawLines() {
   chart.setBackgroundRoundness(0);
   chart.setMargins(QMargins(panelMargin, panelMargin, panelMargin, panelMargin));
   chart.legend()->setLabelColor(palette().color(QPalette::Text));
+  chart.legend()->setAlignment(Qt::AlignRight);
   auto* time = new QValueAxis;
   auto* value = new QValueAxis;
-  time->setTitleText(tr("Time (s)"));
-  value->setTitleText(tr("Coverage (%)"));
   value->setRange(0.0, 100.0);
-  value->setLabelFormat(QStringLiteral("%g"));
-  time->setLabelFormat(QStringLiteral("%g"));
+  // Units stand at the numbers: titles would take the height that lines need.
+  value->setLabelFormat(QStringLiteral("%g %%"));
+  time->setLabelFormat(QStringLiteral("%g s"));
+  time->setTruncateLabels(false);
   chart.addAxis(time, Qt::AlignBottom);
   chart.addAxis(value, Qt::AlignLeft);
   double end = 0.0;

@@ -78,6 +78,8 @@ void SourcePresenter::restyle(const document::StudyDocument& document) {
   SourceShape chosen;
   std::optional<Compass> compass;
   const auto& selection = document.selection();
+  const bool anySelected = selection && selection->kind == document::ItemKind::source;
+  const double floor = frame_ == nullptr ? 0.0 : geometry::bounds(frame_->study->body->body().skin.positions).min().y();
   for (const study::Source& source : document.study().sources) {
     if (frame_ == nullptr) {
       break;
@@ -85,12 +87,15 @@ void SourcePresenter::restyle(const document::StudyDocument& document) {
     const Vec3d aim = aimIn(*frame_, source);
     const double radius = radiusIn(*frame_, aim);
     const SourceShape shape = shapeOf(source, aim, radius, listedBy(source.name));
-    const bool selected = selection && selection->kind == document::ItemKind::source && selection->name == source.name;
+    const bool selected = anySelected && selection->name == source.name;
     SourceShape& drawn = selected ? chosen : others;
-    drawn.lines.insert(drawn.lines.end(), shape.lines.begin(), shape.lines.end());
+    // One that is looked at is not to be hidden by all the others.
+    if (selected || !anySelected) {
+      drawn.lines.insert(drawn.lines.end(), shape.lines.begin(), shape.lines.end());
+    }
     drawn.balls.insert(drawn.balls.end(), shape.balls.begin(), shape.balls.end());
     if (selected && compassOn_) {
-      compass = compassOf(source, aim, radius);
+      compass = compassOf(source, aim, radius, floor);
     }
   }
   lines_.draw(others.lines);

@@ -149,7 +149,6 @@ void addListed(SourceShape& shape, const Vec3d& aim, double radius, std::span<co
     const Vec3d from = rays[i].origin.cast<double>();
     const Vec3d along = rays[i].direction.cast<double>().normalized();
     shape.lines.push_back({from, from + ((aim - from).norm() + radius) * along});
-    shape.balls.push_back(from);
   }
 }
 
@@ -246,25 +245,26 @@ SourceShape shapeOf(const study::Source& source, const Vec3d& aim, double radius
   return shape;
 }
 
-std::optional<Compass> compassOf(const study::Source& source, const Vec3d& aim, double radius) {
+std::optional<Compass> compassOf(const study::Source& source, const Vec3d& aim, double radius, double floor) {
   if (source.type == SourceType::list) {
     return std::nullopt;
   }
   Compass compass;
   const double reach = compassShare * radius;
   const auto [azimuth, elevation] = directionOf(source, aim);
-  addAzimuths(compass, aim, reach);
+  const Vec3d below(aim.x(), floor, aim.z());
+  addAzimuths(compass, below, reach);
   addElevations(compass, aim, reach, azimuth);
   if (source.type == SourceType::point || source.type == SourceType::parallel) {
     const Vec3d to = out(azimuth, elevation);
-    compass.strong.push_back({aim, aim + reach * out(azimuth, 0.0)});
+    compass.strong.push_back({below, below + reach * out(azimuth, 0.0)});
     compass.strong.push_back(meridianOf(aim, reach, azimuth, 0.0, elevation));
     compass.strong.push_back({aim, aim + reach * to});
     compass.labels.push_back(
         {aim + 1.2 * reach * to,
          QStringLiteral("azimuth %1, elevation %2").arg(degreesText(azimuth), degreesText(elevation)), true, true});
   } else if (source.type == SourceType::band) {
-    compass.strong.push_back(parallelOf(aim, reach, 0.0, source.azimuth.from, source.azimuth.to));
+    compass.strong.push_back(parallelOf(below, reach, 0.0, source.azimuth.from, source.azimuth.to));
     compass.strong.push_back(meridianOf(aim, reach, azimuth, source.elevation.from, source.elevation.to));
   }
   return compass;

@@ -34,14 +34,15 @@ struct CompassLabel {
   bool ofSource = false;  ///< says where the source is
 };
 
-/// A level ring of azimuths with ticks, an arc of elevations above where the source is, and the source's own direction.
+/// A ring of azimuths with ticks on the floor, where it is seen from nearly everywhere, an arc of elevations around the
+/// aim in the azimuth of the source, and the source's own direction.
 struct Compass {
   std::vector<Polyline> lines;
   std::vector<Polyline> strong;  ///< of the source
   std::vector<CompassLabel> labels;
 };
 
-/// None for lists, which have no direction of their own.
-std::optional<Compass> compassOf(const study::Source& source, const geometry::Vec3d& aim, double radius);
+/// None for lists, which have no direction of their own. \param floor height of the floor
+std::optional<Compass> compassOf(const study::Source& source, const geometry::Vec3d& aim, double radius, double floor);
 
 }  // namespace lorica::viewport
