@@ -98,6 +98,11 @@ void MainWindow::makeViewMenu() {
     menu->addAction(action);
   }
   menu->addSeparator();
+  QAction* compass = menu->addAction(tr("A&zimuth and elevation of the selected source"));
+  compass->setObjectName(QStringLiteral("compass"));
+  compass->setCheckable(true);
+  compass->setChecked(true);
+  connect(compass, &QAction::toggled, view_, &viewport::SceneView::showCompass);
   makeColouringMenu(*menu->addMenu(tr("&Colours of organs say")));
   menu->addAction(tr("What &drives an organ"), this, [this] {
     inspectionDock_->show();
@@ -140,6 +145,8 @@ void MainWindow::makeAnalysisMenu() {
   menu->addSeparator();
   QAction* deformation =
       menu->addAction(tr("&Deformation of organs"), QKeySequence(tr("Ctrl+D")), this, &MainWindow::showDeformation);
+  QAction* shot = menu->addAction(tr("Single s&hot"), this, &MainWindow::showShot);
+  QAction* survey = menu->addAction(tr("Di&rections and motion"), this, &MainWindow::showSurvey);
   auto* bar = addToolBar(tr("Tools"));
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
@@ -148,7 +155,7 @@ void MainWindow::makeAnalysisMenu() {
   bar->addAction(deformation);
   bar->addSeparator();
   QAction* models = bar->addWidget(new ModelChooser(document_));
-  studyActions_ = {shotLines, run, deformation, models};
+  studyActions_ = {shotLines, run, deformation, shot, survey, models};
 }
 
 }  // namespace lorica::gui

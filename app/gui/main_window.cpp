@@ -53,7 +53,10 @@ QString studyFilter() {
 }  // namespace
 
 MainWindow::MainWindow()
-    : autosave_(document_, document::Autosave::defaultFolder()), loader_(document_), runs_(document_) {
+    : autosave_(document_, document::Autosave::defaultFolder()),
+      loader_(document_),
+      planner_(document_),
+      runs_(document_) {
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   makePanels();
@@ -104,6 +107,8 @@ void MainWindow::makePanels() {
   problems_ = new panels::ProblemsPanel(document_);
   inspection_ = new panels::InspectionPanel(document_);
   deformation_ = new panels::DeformationPanel(document_);
+  shot_ = new panels::ShotPanel(document_);
+  survey_ = new panels::SurveyPanel;
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   QDockWidget* projectDock = dock(tr("Project"), "project", project_, Qt::LeftDockWidgetArea);
   QDockWidget* propertiesDock = dock(tr("Properties"), "properties", properties_, Qt::LeftDockWidgetArea);
@@ -114,12 +119,16 @@ void MainWindow::makePanels() {
   chartDock_ = dock(tr("Chart"), "chart", chart_, Qt::BottomDockWidgetArea);
   problemsDock_ = dock(tr("Problems"), "problems", problems_, Qt::BottomDockWidgetArea);
   deformationDock_ = dock(tr("Deformation"), "deformation", deformation_, Qt::BottomDockWidgetArea);
+  shotDock_ = dock(tr("Shot"), "shot", shot_, Qt::BottomDockWidgetArea);
   tabifyDockWidget(resultsDock_, deformationDock_);
+  tabifyDockWidget(resultsDock_, shotDock_);
+  surveyDock_ = dock(tr("Directions and motion"), "survey", survey_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(resultsDock_, surveyDock_);
   tabifyDockWidget(resultsDock_, problemsDock_);
   resizeDocks({projectDock, propertiesDock}, {440, 300}, Qt::Vertical);
   resizeDocks({projectDock}, {320}, Qt::Horizontal);
   // The view has all the room until there is something to read below it.
-  for (QDockWidget* below : {resultsDock_, chartDock_, deformationDock_, problemsDock_}) {
+  for (QDockWidget* below : {resultsDock_, chartDock_, deformationDock_, shotDock_, surveyDock_, problemsDock_}) {
     below->hide();
   }
   shotLines_ = new dialogs::ShotLineDialog(document_, runs_, this);
@@ -148,6 +157,8 @@ void MainWindow::makeStatusBar() {
   connect(cancel_, &QToolButton::clicked, this, [this] {
     if (runs_.job() != nullptr) {
       runs_.cancel();
+    } else if (saving_ != nullptr) {
+      saving_->cancel();
     } else {
       loader_.cancel();
     }
@@ -209,6 +220,7 @@ void MainWindow::connectAll() {
           [this](const QString& text) { complain(tr("The run failed."), text); });
 
   connect(results_, &panels::ResultsPanel::runShown, chart_, &panels::CoverageChart::setRun);
+  connect(results_, &panels::ResultsPanel::runShown, survey_, &panels::SurveyPanel::setRun);
   connect(results_, &panels::ResultsPanel::saveRequested, this, &MainWindow::saveTables);
   connect(chart_, &panels::CoverageChart::organPicked, this, [this](const std::string& organ) {
     document_.select(document::ItemRef{document::ItemKind::organ, organ});
@@ -230,6 +242,16 @@ void MainWindow::connectAll() {
     view_->setShotFilter(display.onlyFirstHit);
     requestFrame();
   });
+  connect(&document_, &StudyDocument::planChanged, this, [this] {
+    if (shots_.on) {
+      requestFrame();  // with the shots of the run as it is now
+    }
+  });
+  connect(view_, &viewport::SceneView::shotClicked, this, [this](const QString& name) {
+    showShot();
+    shot_->inspect(name);
+  });
+  connect(shot_, &panels::ShotPanel::inspected, view_, &viewport::SceneView::markShot);
   connect(shotLines_, &dialogs::ShotLineDialog::pickRequested, this, [this](bool on) {
     const auto& sources = document_.study().sources;
     const auto source = std::find_if(sources.begin(), sources.end(),
@@ -374,12 +396,36 @@ void MainWindow::saveTables(const std::shared_ptr<const document::RunRecord>& ru
   if (folder.isEmpty()) {
     return;
   }
+  writeTables(run, folder);
+}
+
+void MainWindow::writeTables(const std::shared_ptr<const document::RunRecord>& run, const QString& folder) {
   try {
     analysis::writeResults(*run->study, run->result, pathOf(folder));
-    statusBar()->showMessage(tr("The tables are in %1").arg(folder), 1000 * statusSeconds);
   } catch (const base::Error& error) {
     complain(tr("The tables cannot be saved."), QString::fromUtf8(error.what()));
+    return;
   }
+  statusBar()->showMessage(tr("The tables are in %1").arg(folder), 1000 * statusSeconds);
+  if (!jobs::asksForSurvey(*run)) {
+    return;
+  }
+  jobs::abandon(saving_, this);
+  saving_ = std::make_unique<jobs::Job>(tr("Shooting by direction and over the motion"),
+                                        [run, folder = pathOf(folder)](const base::Progress& progress) {
+                                          analysis::writeAnalyses(*run->study, run->result, {}, folder, progress);
+                                        });
+  connect(saving_.get(), &jobs::Job::progressed, this, &MainWindow::updateJobs);
+  connect(saving_.get(), &jobs::Job::finished, this,
+          [this, folder] { statusBar()->showMessage(tr("All tables are in %1").arg(folder), 1000 * statusSeconds); });
+  connect(saving_.get(), &jobs::Job::failed, this,
+          [this](const QString& text) { complain(tr("The tables cannot be saved."), text); });
+  connect(saving_.get(), &jobs::Job::ended, this, [this] {
+    saving_.release()->deleteLater();
+    updateJobs();
+  });
+  saving_->start();
+  updateJobs();
 }
 
 void MainWindow::savePicture() {
@@ -510,7 +556,7 @@ void MainWindow::showResults() {
 }
 
 void MainWindow::showBelow(QDockWidget* dock) {
-  const QList<QDockWidget*> sharers{resultsDock_, deformationDock_, problemsDock_};
+  const QList<QDockWidget*> sharers{resultsDock_, deformationDock_, shotDock_, surveyDock_, problemsDock_};
   const bool opens =
       std::all_of(sharers.begin(), sharers.end(), [](const QDockWidget* one) { return one->isHidden(); });
   dock->show();
@@ -522,6 +568,14 @@ void MainWindow::showBelow(QDockWidget* dock) {
 
 void MainWindow::showProblems() {
   showBelow(problemsDock_);
+}
+
+void MainWindow::showShot() {
+  showBelow(shotDock_);
+}
+
+void MainWindow::showSurvey() {
+  showBelow(surveyDock_);
 }
 
 void MainWindow::showDeformation() {
@@ -538,6 +592,10 @@ void MainWindow::requestFrame() {
   if (shots_.on) {
     request.shotSource = shots_.source;
     request.shotLimit = shots_.limit;
+    const auto& plan = document_.plan();
+    if (plan != nullptr && plan->study == document_.loaded() && shots_.source < plan->result.sources.size()) {
+      request.planned = plan->result.sources[shots_.source];
+    }
   }
   if (document_.inspection().showsDrivers()) {
     request.driversOf = document_.inspection().organ;
@@ -566,7 +624,7 @@ void MainWindow::updatePages() {
 }
 
 void MainWindow::updateJobs() {
-  const jobs::Job* job = runs_.job() != nullptr ? runs_.job() : loader_.job();
+  const jobs::Job* job = runs_.job() != nullptr ? runs_.job() : saving_ != nullptr ? saving_.get() : loader_.job();
   for (QWidget* widget : {static_cast<QWidget*>(working_), static_cast<QWidget*>(progress_)}) {
     widget->setVisible(job != nullptr);
   }

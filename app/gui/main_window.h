@@ -14,6 +14,7 @@
 #include "lorica/document/study_document.h"
 #include "lorica/jobs/frame_engine.h"
 #include "lorica/jobs/run_controller.h"
+#include "lorica/jobs/run_planner.h"
 #include "lorica/jobs/study_loader.h"
 #include "lorica/panels/coverage_chart.h"
 #include "lorica/panels/deformation_panel.h"
@@ -22,6 +23,8 @@
 #include "lorica/panels/project_panel.h"
 #include "lorica/panels/properties_panel.h"
 #include "lorica/panels/results_panel.h"
+#include "lorica/panels/shot_panel.h"
+#include "lorica/panels/survey_panel.h"
 #include "lorica/panels/timeline_panel.h"
 #include "lorica/viewport/scene_view.h"
 
@@ -51,6 +54,8 @@ class MainWindow : public QMainWindow {
   panels::ResultsPanel& results() { return *results_; }
   panels::CoverageChart& chart() { return *chart_; }
   panels::DeformationPanel& deformation() { return *deformation_; }
+  panels::ShotPanel& shot() { return *shot_; }
+  panels::SurveyPanel& survey() { return *survey_; }
   dialogs::ShotLineDialog& shotLines() { return *shotLines_; }
 
   /// Opens a study file; says why when it cannot be. \return whether it is open now
@@ -62,6 +67,10 @@ class MainWindow : public QMainWindow {
   /// Offers what a crash left behind.
   void offerRecovery();
   void showShotLines();
+  /// The panel that looks into single shots.
+  void showShot();
+  /// The panel of coverage by direction and over a motion.
+  void showSurvey();
   void showDeformation();
   /// Asks for a person, armor and organs, and takes the study of them.
   void newHumanStudy();
@@ -95,6 +104,8 @@ class MainWindow : public QMainWindow {
   bool save();
   bool saveAs();
   void importFiles(const QStringList& files);
+  /// Writes the tables of a run to a folder, and in the background those that have to be shot for.
+  void writeTables(const std::shared_ptr<const document::RunRecord>& run, const QString& folder);
   void saveTables(const std::shared_ptr<const document::RunRecord>& run);
   void savePicture();
   /// Asks what becomes of unsaved edits. \return whether to go on
@@ -114,7 +125,9 @@ class MainWindow : public QMainWindow {
   document::Autosave autosave_;
   jobs::StudyLoader loader_;
   jobs::FrameEngine engine_;
+  jobs::RunPlanner planner_;
   jobs::RunController runs_;
+  std::unique_ptr<jobs::Job> saving_;  ///< of tables that have to be shot for
   dialogs::ShotDisplay shots_;
   bool openedSample_ = false;  ///< the study is a built-in sample
 
@@ -129,12 +142,16 @@ class MainWindow : public QMainWindow {
   panels::ProblemsPanel* problems_ = nullptr;
   panels::InspectionPanel* inspection_ = nullptr;
   panels::DeformationPanel* deformation_ = nullptr;
+  panels::ShotPanel* shot_ = nullptr;
+  panels::SurveyPanel* survey_ = nullptr;
   dialogs::ShotLineDialog* shotLines_ = nullptr;
   QDockWidget* inspectionDock_ = nullptr;
   QDockWidget* resultsDock_ = nullptr;
   QDockWidget* chartDock_ = nullptr;
   QDockWidget* deformationDock_ = nullptr;
   QDockWidget* problemsDock_ = nullptr;
+  QDockWidget* shotDock_ = nullptr;
+  QDockWidget* surveyDock_ = nullptr;
   QList<QAction*> studyActions_;  ///< of the tool bar, nothing without a study
   QToolButton* problemCount_ = nullptr;
   QMenu* panelsMenu_ = nullptr;

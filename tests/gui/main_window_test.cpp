@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -723,6 +724,122 @@ TEST_F(Window, TheSelectedOrganFillsTheView) {
   auto* canvas = window_.view().findChild<QWidget*>();
   QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->rect().center());
   EXPECT_EQ(window_.document().selection(), (ItemRef{ItemKind::organ, "bladder"})) << "in the middle of the picture";
+}
+
+/// Pixels from a place to a line.
+double pixelsTo(const QPointF& place, const QPointF& from, const QPointF& to) {
+  const QPointF along = to - from;
+  const double length = QPointF::dotProduct(along, along);
+  const double share = length > 0.0 ? std::clamp(QPointF::dotProduct(place - from, along) / length, 0.0, 1.0) : 0.0;
+  const QPointF off = from + share * along - place;
+  return std::hypot(off.x(), off.y());
+}
+
+TEST_F(Window, AClickOnADrawnShotLooksIntoThatShotAsTheCommandLineDoes) {
+  open();
+  window_.view().lookFrom(viewport::StandardView::left);
+  window_.view().fit();
+  dialogs::ShotDisplay display;
+  display.on = true;
+  display.limit = 60;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.document().plan() != nullptr; }, patience));
+  Q_EMIT window_.shotLines().shotDisplayChanged(display);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        const auto& frame = window_.view().frame();
+        return frame->shotsOfRun && !frame->shots.empty() && !window_.engine().isBusy();
+      },
+      patience));
+  picture();
+  struct Line {
+    const analysis::ShotPath* shot;
+    QPointF from;
+    QPointF to;
+    QPointF middle;
+  };
+  std::vector<Line> lines;
+  for (const analysis::ShotPath& shot : window_.view().frame()->shots) {
+    if (!shot.crossings.empty()) {
+      const auto at = [&](double distance) {
+        return window_.view().placeOf(shot.origin.cast<double>() + distance * shot.direction.cast<double>());
+      };
+      const double last = shot.crossings.back().distance;
+      lines.push_back({&shot, at(4.0), at(last + 0.15), at(0.5 * (shot.crossings.front().distance + last))});
+    }
+  }
+  QSignalSpy clicked(&window_.view(), &viewport::SceneView::shotClicked);
+  auto* canvas = window_.view().findChild<QWidget*>();
+  int tried = 0;
+  QString name;
+  for (const Line& line : lines) {
+    const bool alone = std::all_of(lines.begin(), lines.end(), [&](const Line& other) {
+      return other.shot == line.shot || pixelsTo(line.middle, other.from, other.to) > 6.0;
+    });
+    if (alone && tried < 5) {
+      ++tried;
+      QTest::mouseClick(canvas, Qt::LeftButton, {}, line.middle.toPoint());
+      ASSERT_EQ(clicked.count(), tried);
+      EXPECT_EQ(clicked.last()[0].toString(), QString("front:1:%1").arg(line.shot->number));
+      name = clicked.last()[0].toString();
+    }
+  }
+  ASSERT_GE(tried, 3) << "of " << lines.size();
+
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return window_.shot().inspection() != nullptr && !window_.shot().isBusy(); }, patience));
+  EXPECT_GT(window_.shot().table().rowCount(), 0);
+  // What the command line says of the same shot: every passage that the table lists stands in its report.
+  QProcess cli;
+  cli.start(LORICA_CLI, {"run", file_, "--out", folder_.filePath("shot"), "--quiet", "--shot-report", name});
+  ASSERT_TRUE(cli.waitForFinished(60000));
+  const QString report = QString::fromUtf8(cli.readAllStandardOutput()).section("pose toe_touch", 0, 0).simplified();
+  ASSERT_TRUE(report.contains(name)) << report.toStdString();
+  for (int row = 0; row < window_.shot().table().rowCount(); ++row) {
+    QStringList cells;
+    for (int column = 0; column < 10; ++column) {
+      cells.append(window_.shot().table().index(row, column).data().toString());
+    }
+    const QString passage = cells.join(u' ').simplified();
+    const QString gap = QString("%1 to %2 %3 mm gap").arg(cells[3], cells[4], cells[5]);
+    EXPECT_TRUE(report.contains(cells[0] == "gap" ? gap : passage)) << passage.toStdString();
+  }
+
+  const QImage marked = picture();
+  window_.shot().inspect({});
+  EXPECT_GT(differing(marked, picture()), 30) << "the shot was marked";
+  // Behind the shots there is still the body.
+  window_.document().select(std::nullopt);
+  QTest::mouseClick(canvas, Qt::LeftButton, Qt::ShiftModifier, lines.front().middle.toPoint());
+  EXPECT_TRUE(window_.document().selection());
+}
+
+TEST_F(Window, AShotThatIsNotThereIsToldInASentence) {
+  open();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.document().plan() != nullptr; }, patience));
+  const auto* said = window_.shot().findChild<QLabel*>("shot_summary");
+  for (const char* bad : {"front", "front:1", "front:0:3", "front:1:x", "nowhere:1:3", "front:1:2000", "front:9:3"}) {
+    window_.shot().inspect(bad);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.shot().isBusy(); }, patience));
+    EXPECT_EQ(window_.shot().inspection(), nullptr) << bad;
+    EXPECT_TRUE(said->text().endsWith(u'.') && said->text().size() > 20) << bad << ": " << said->text().toStdString();
+    EXPECT_FALSE(said->text().startsWith("Click a shot")) << bad;
+  }
+  window_.shot().inspect("front:2:1999");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.shot().inspection() != nullptr; }, patience));
+}
+
+TEST_F(Window, AzimuthAndElevationAreDrawnAroundTheBodyOfASelectedSource) {
+  open();
+  const QImage plain = picture();
+  window_.document().select(ItemRef{ItemKind::source, "front"});
+  const QImage drawn = picture();
+  EXPECT_GT(differing(plain, drawn), 500);
+  auto* toggle = window_.findChild<QAction*>("compass");
+  ASSERT_NE(toggle, nullptr);
+  toggle->setChecked(false);
+  EXPECT_GT(differing(drawn, picture()), 500) << "the view menu hides it";
+  toggle->setChecked(true);
+  EXPECT_LT(differing(drawn, picture()), 50);
 }
 
 TEST_F(Window, ShotsAreDrawnUpToTheLimitAndFilteredByWhatTheyMeet) {

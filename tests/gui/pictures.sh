@@ -37,8 +37,18 @@ deform() {
   done
 }
 
+shoot() {
+  [ -r "$out/$1.lorica.json" ] || return 0
+  for scale in 1 1.5; do
+    echo "$1, sources and shots at $scale"
+    QT_SCALE_FACTOR=$scale xvfb-run -a -s '-screen 0 2300x1500x24' \
+      "$build/tests/gui/lorica_shot_pictures" "$out" "$1_$scale" "$out/$1.lorica.json"
+  done
+}
+
 take sample toe_touch@2 belly_twist@1
 take visible_human toe_touch@2 belly_twist@1
 take makehuman toe_touch@2
 deform sample liver belly_twist@1
 deform visible_human Liver belly_twist@1
+shoot sample

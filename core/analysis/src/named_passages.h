@@ -20,11 +20,4 @@ class PassageNamer {
 /// \param passages of one armor system and one organ model
 std::vector<double> claimedLengths(const study::Overlap& overlap, std::span<const NamedPassage> passages);
 
-/// The pieces of a shot by that policy. The body is what all else lies in: it owns only what nothing else does.
-std::vector<shotline::Segment> segmentsOf(const study::Overlap& overlap, std::span<const NamedPassage> passages);
-
-/// Those of the body, of a system's armor and of a model's organs.
-std::vector<NamedPassage> passagesUnder(std::span<const NamedPassage> passages, const std::string& system,
-                                        const std::string& model);
-
 }  // namespace lorica::analysis

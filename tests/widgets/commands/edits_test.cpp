@@ -126,8 +126,8 @@ study::LatticeSettings threeCells() {
   return lattice;
 }
 
-const Changes organsAndDisplay = Changes(Change::organs) | Change::display;
-const Changes armorAndDisplay = Changes(Change::armor) | Change::display;
+const Changes organsAndDisplay = Changes(Change::organs) | Change::sources | Change::run | Change::display;
+const Changes armorAndDisplay = Changes(Change::armor) | Change::sources | Change::run | Change::display;
 
 std::vector<Edit> allEdits() {
   using D = StudyDocument;
@@ -199,8 +199,6 @@ std::vector<Edit> allEdits() {
        Change::sources, "Move source left"},
       {"SourceTarget", [](D& d) { setSourceTarget(d, "left", geometry::Vec3d(0, 1.2, 0)); }, Change::sources,
        "Target of source left"},
-      {"SourceSampler", [](D& d) { setSourceSampler(d, "left", study::Sampler::thesis); }, Change::sources,
-       "Sampler of source left"},
       {"SourceShots", [](D& d) { setSourceShots(d, "left", 5); }, Change::sources, "Shots of source left"},
       {"AddSource", [](D& d) { addSource(d); }, Change::sources, "Add source source"},
       {"AddPose",

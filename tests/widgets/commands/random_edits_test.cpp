@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "lorica/commands/edits.h"
+#include "lorica/commands/shot_edits.h"
 #include "lorica/document/appearance.h"
 #include "lorica/study/study_file.h"
 #include "two_systems.h"
@@ -18,7 +18,7 @@ class RandomEditor {
   RandomEditor(StudyDocument& document, std::uint64_t seed) : document_(document), numbers_(seed) {}
 
   void step() {
-    switch (below(24)) {
+    switch (below(26)) {
       case 0:
         return setStudyName(document_, name());
       case 1:
@@ -65,6 +65,13 @@ class RandomEditor {
       case 21:
       case 22:
         return editSource();
+      case 23:
+        return editRun();
+      case 24:
+        if (!study().sources.empty()) {
+          duplicateSource(document_, study().sources[below(study().sources.size())].name);
+        }
+        return;
       default:
         if (below(2) == 0) {
           document_.undoStack().undo();
@@ -232,9 +239,49 @@ class RandomEditor {
             document_, source,
             below(2) == 0 ? std::nullopt : std::optional(geometry::Vec3d(coordinate(), 1, coordinate())));
       case 2:
-        return setSourceSampler(document_, source, below(2) == 0 ? study::Sampler::cone : study::Sampler::thesis);
+        return editSourceType(source);
       default:
         return setSourceShots(document_, source, 1 + below(1000));
+    }
+  }
+  void editSourceType(const std::string& name) {
+    study::Source source = oneOf(study().sources);
+    source = asType(source, study::SourceType(below(5)));
+    source.sampler = study::Sampler(below(4));
+    source.sequence = study::Sequence(below(3));
+    source.width = source.height = source.radius = source.cell = 0.001 * static_cast<double>(below(1000));
+    source.azimuth = {coordinate(), coordinate()};
+    source.elevation = {coordinate(), coordinate()};
+    source.list.path = below(2) == 0 ? "shots.csv" : "";
+    source.targetStructure = below(2) == 0 ? structure() : "";
+    if (sourceTroubles(asWritten(source)).empty()) {
+      setSource(document_, name, source, "type", "any", below(2) == 0 ? Merge::yes : Merge::no);
+    }
+  }
+  void editRun() {
+    study::StopRule stop;
+    for (const study::Organ& organ : study().organs) {
+      if (below(2) == 0) {
+        stop.structures.push_back(organ.name);
+      }
+    }
+    stop.halfWidth = fraction();
+    switch (below(3)) {
+      case 0:
+        return setStop(document_, stopTroubles(stop).empty() ? std::optional(stop) : std::nullopt);
+      case 1:
+        return setOverlap(document_, {shotline::OverlapPolicy(below(3)), stop.structures});
+      default: {
+        study::Analyses analyses;
+        analyses.compare = below(2) == 0;
+        if (below(2) == 0) {
+          analyses.directions = study::DirectionGrid{15.0, 1 + below(1000)};
+        }
+        if (below(2) == 0) {
+          analyses.motion = study::MotionSettings{"walk", static_cast<std::uint32_t>(1 + below(9)), 25.0};
+        }
+        return setAnalyses(document_, analyses);
+      }
     }
   }
 

@@ -15,7 +15,8 @@
 #include <QToolButton>
 #include <QUndoStack>
 
-#include "lorica/commands/edits.h"
+#include "lorica/commands/shot_edits.h"
+#include "lorica/jobs/run_planner.h"
 #include "lorica/jobs/study_loader.h"
 #include "sample_document.h"
 
@@ -134,6 +135,65 @@ TEST_F(ShotLine, SourcesAreAddedAndRemoved) {
   EXPECT_FALSE(part<QDoubleSpinBox>("position_x")->isEnabled());
   document_.undoStack().undo();
   EXPECT_EQ(dialog_.source(), "front");
+}
+
+TEST_F(ShotLine, ASourceIsDuplicatedBesideItself) {
+  commands::addSource(document_);
+  auto* list = part<QComboBox>("source");
+  list->setCurrentIndex(0);
+  Q_EMIT list->activated(0);
+  part<QDoubleSpinBox>("shots")->setValue(777.0);
+  part<QToolButton>("duplicate_source")->click();
+  ASSERT_EQ(document_.study().sources.size(), 3U);
+  EXPECT_EQ(document_.study().sources[1].name, "front 2");
+  EXPECT_EQ(document_.study().sources[1].shots, 777U);
+  EXPECT_EQ(dialog_.source(), "front 2");
+  document_.undoStack().undo();
+  EXPECT_EQ(document_.study().sources.size(), 2U);
+}
+
+TEST_F(ShotLine, WhatIsWrongWithTheSourceIsSaidAndKeepsTheRunFromStarting) {
+  auto* sampler = part<QComboBox>("sampler");
+  sampler->setCurrentIndex(sampler->findData(QString::number(static_cast<int>(study::Sampler::disk))));
+  reload();
+  ASSERT_TRUE(part<QPushButton>("run")->isEnabled()) << outcome().toStdString();
+  part<QDoubleSpinBox>("radius")->setValue(0.0);
+  EXPECT_FALSE(part<QPushButton>("run")->isEnabled());
+  EXPECT_TRUE(part<QLabel>("radius_trouble")->isVisibleTo(&dialog_));
+  EXPECT_FALSE(outcome().isEmpty());
+  part<QDoubleSpinBox>("radius")->setValue(0.25);
+  EXPECT_TRUE(part<QPushButton>("run")->isEnabled()) << outcome().toStdString();
+}
+
+TEST_F(ShotLine, ASourceInsideTheBodyIsSaidBesideItsPlaceAndCannotBeRun) {
+  jobs::RunPlanner planner(document_);
+  commands::setSourcePosition(document_, "front", {0.0, 1.1, 0.0});
+  reload();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return document_.plan() != nullptr; }, 30000));
+  ASSERT_TRUE(document_.plan()->trouble);
+  EXPECT_TRUE(part<QLabel>("position_trouble")->isVisibleTo(&dialog_));
+  EXPECT_TRUE(part<QLabel>("position_trouble")->text().contains("inside the body"));
+  EXPECT_FALSE(part<QPushButton>("run")->isEnabled());
+  commands::setSourcePosition(document_, "front", {0.0, 1.1, 4.0});
+  EXPECT_FALSE(part<QLabel>("position_trouble")->isVisibleTo(&dialog_)) << "of another place nothing is known yet";
+  reload();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !document_.plan()->trouble; }, 30000));
+  EXPECT_TRUE(part<QPushButton>("run")->isEnabled()) << outcome().toStdString();
+  EXPECT_TRUE(part<QLabel>("measure")->text().contains("sr")) << part<QLabel>("measure")->text().toStdString();
+}
+
+TEST_F(ShotLine, CountsTheCellsOfAGridOnceTheRunIsPlanned) {
+  study::Source source = document_.study().sources.front();
+  source.type = study::SourceType::parallel;
+  source.sequence = study::Sequence::grid;
+  source.cell = 0.05;
+  commands::setSource(document_, "front", source, "type", "Grid", commands::Merge::no);
+  commands::setRunPoses(document_, {"rest"});
+  jobs::RunPlanner planner(document_);
+  reload();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return document_.plan() != nullptr; }, 30000));
+  const std::uint64_t cells = document_.plan()->result.sources[0].shots;
+  EXPECT_TRUE(estimate().remove(',').contains(QString::number(5 * cells))) << estimate().toStdString();
 }
 
 TEST_F(ShotLine, APickedPointMovesTheSourceOnce) {

@@ -61,6 +61,19 @@ TEST_F(InspectionTest, AnOrganThatGoesIsLookedIntoNoMore) {
   EXPECT_EQ(document_.inspection().colouring, Colouring::strain);
 }
 
+TEST_F(InspectionTest, AnOrganThatIsRenamedIsLookedIntoByItsNewName) {
+  const Inspection before{"liver", Driver::lattice, Colouring::own};
+  document_.inspect(before);
+  QSignalSpy told(&document_, &StudyDocument::inspectionChanged);
+  commands::renameItem(document_, {ItemKind::organ, "liver"}, "hepar");
+  EXPECT_EQ(document_.inspection(), (Inspection{"hepar", Driver::lattice, Colouring::own}));
+  EXPECT_EQ(told.count(), 1);
+  document_.undoStack().undo();
+  EXPECT_EQ(document_.inspection(), before);
+  document_.undoStack().redo();
+  EXPECT_EQ(document_.inspection().organ, "hepar");
+}
+
 TEST_F(InspectionTest, WhatIsAroundTheDriversIsSeeThroughAndTheirOrganIsVisible) {
   commands::setVisible(document_, "liver", false);
   commands::setOpacity(document_, "heart", 0.01);

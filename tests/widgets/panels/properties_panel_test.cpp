@@ -248,7 +248,7 @@ TEST_F(Properties, EveryEditorOfASourcePushesOneCommand) {
   expectChoiceEdit("target", "point");
   EXPECT_TRUE(editor<QWidget>("target_point")->isVisibleTo(panel_.form()));
   EXPECT_FALSE(editor<QLabel>("sampler_warning")->isVisibleTo(panel_.form()));
-  expectChoiceEdit("sampler", "thesis");
+  expectChoiceEdit("sampler", QString::number(static_cast<int>(study::Sampler::thesis)));
   EXPECT_TRUE(editor<QLabel>("sampler_warning")->isVisibleTo(panel_.form()));
 }
 

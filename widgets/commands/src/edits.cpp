@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "find.h"
+#include "lorica/commands/shot_edits.h"
 #include "lorica/document/appearance.h"
 #include "lorica/study/study_file.h"
 
@@ -68,19 +69,6 @@ Property<Value> ofPiece(const QString& id, const std::string& piece, Value study
           [piece, member](study::Study& study, const Value& value) {
             named(systemWith(study, piece).pieces, piece).*member = value;
           }};
-}
-
-template <class Value>
-Property<Value> ofSource(const QString& id, const std::string& source, Value study::Source::*member) {
-  return {id + '/' + shown(source), Change::sources,
-          [source, member](const study::Study& study) { return named(study.sources, source).*member; },
-          [source, member](study::Study& study, const Value& value) { named(study.sources, source).*member = value; }};
-}
-
-geometry::Vec3d within(const geometry::Vec3d& position) {
-  LORICA_CHECK(position.allFinite(), "positions are finite numbers");
-  constexpr double farthest = 99000.0;
-  return position.cwiseMax(-farthest).cwiseMin(farthest);
 }
 
 /// The lattice as the study's file holds it.
@@ -319,25 +307,22 @@ void setNonProtecting(StudyDocument& document, const std::string& piece, const s
 // --- sources --------------------------------------------------------------------------------------------------------
 
 void setSourcePosition(StudyDocument& document, const std::string& source, const geometry::Vec3d& position) {
-  change(document, ofSource("position", source, &study::Source::position), within(position),
-         Text::tr("Move source %1").arg(shown(source)), Merge::yes);
+  study::Source wanted = named(document.study().sources, source);
+  wanted.position = position;
+  setSource(document, source, wanted, "position", Text::tr("Move source %1").arg(shown(source)), Merge::yes);
 }
 
 void setSourceTarget(StudyDocument& document, const std::string& source, const std::optional<geometry::Vec3d>& target) {
-  change(document, ofSource("target", source, &study::Source::target),
-         target ? std::optional(within(*target)) : std::nullopt, Text::tr("Target of source %1").arg(shown(source)),
-         Merge::yes);
-}
-
-void setSourceSampler(StudyDocument& document, const std::string& source, study::Sampler sampler) {
-  change(document, ofSource("sampler", source, &study::Source::sampler), sampler,
-         Text::tr("Sampler of source %1").arg(shown(source)));
+  study::Source wanted = named(document.study().sources, source);
+  wanted.target = target;
+  wanted.targetStructure.clear();
+  setSource(document, source, wanted, "target", Text::tr("Target of source %1").arg(shown(source)), Merge::yes);
 }
 
 void setSourceShots(StudyDocument& document, const std::string& source, std::uint64_t shots) {
-  LORICA_CHECK(isWithin<std::uint64_t>(shots, 1, 1'000'000'000'000ULL), "1 to 1e12 shots");
-  change(document, ofSource("shots", source, &study::Source::shots), shots,
-         Text::tr("Shots of source %1").arg(shown(source)));
+  study::Source wanted = named(document.study().sources, source);
+  wanted.shots = shots;
+  setSource(document, source, wanted, "shots", Text::tr("Shots of source %1").arg(shown(source)), Merge::no);
 }
 
 }  // namespace lorica::commands

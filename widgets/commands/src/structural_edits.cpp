@@ -27,10 +27,10 @@ void push(StudyDocument& document, study::Study after, Changes what, const QStri
 Changes touched(ItemKind kind) {
   switch (kind) {
     case ItemKind::organ:
-      return Change::organs | Changes(Change::display);
+      return Change::organs | Change::sources | Change::run | Changes(Change::display);
     case ItemKind::system:
     case ItemKind::piece:
-      return Change::armor | Changes(Change::display);
+      return Change::armor | Change::sources | Change::run | Changes(Change::display);
     case ItemKind::pose:
       return Change::poses;
     case ItemKind::source:
@@ -149,6 +149,48 @@ bool isWellFormed(const study::Pose& pose) {
          });
 }
 
+/// Sources, the rule for stopping and the order of overlaps forget structures that are gone.
+void forgetStructures(const study::Study& before, study::Study& after) {
+  const std::vector<std::string> drawnBefore = document::drawnStructures(before);
+  const std::vector<std::string> drawn = document::drawnStructures(after);
+  const std::set<std::string> are(drawn.begin(), drawn.end());
+  for (const std::string& gone : drawnBefore) {
+    if (are.contains(gone)) {
+      continue;
+    }
+    for (study::Source& source : after.sources) {
+      source.targetStructure = source.targetStructure == gone ? std::string() : source.targetStructure;
+    }
+    std::erase(after.overlap.order, gone);
+    if (after.stop && std::erase(after.stop->structures, gone) > 0 && after.stop->structures.empty()) {
+      after.stop.reset();
+    }
+  }
+}
+
+/// A new name wherever an organ or a piece is referred to.
+void renameStructure(const std::string& before, const std::string& name, study::Study& study) {
+  // The file may speak of things of that name that it does not have.
+  if (name != before) {
+    std::erase_if(study.displays, [&](const study::Display& display) { return display.structure == name; });
+    std::erase(study.overlap.order, name);
+  }
+  for (study::Display& display : study.displays) {
+    display.structure = display.structure == before ? name : display.structure;
+  }
+  for (study::Source& source : study.sources) {
+    source.targetStructure = source.targetStructure == before ? name : source.targetStructure;
+  }
+  std::replace(study.overlap.order.begin(), study.overlap.order.end(), before, name);
+  if (study.stop) {
+    if (name != before && std::find(study.stop->structures.begin(), study.stop->structures.end(), before) !=
+                              study.stop->structures.end()) {
+      std::erase(study.stop->structures, name);
+    }
+    std::replace(study.stop->structures.begin(), study.stop->structures.end(), before, name);
+  }
+}
+
 }  // namespace
 
 std::string addSource(StudyDocument& document) {
@@ -224,6 +266,7 @@ void removeItem(StudyDocument& document, const ItemRef& item) {
       break;
   }
   settleDisplays(before, after);
+  forgetStructures(before, after);
   push(document, std::move(after), touched(item.kind),
        Text::tr("Remove %1 %2").arg(kindText(item.kind), shown(item.name)));
 }
@@ -263,12 +306,7 @@ void renameItem(StudyDocument& document, const ItemRef& item, const std::string&
   const std::string before = item.name;
   nameOf(after, item) = name;
   if (item.kind == ItemKind::organ || item.kind == ItemKind::piece) {
-    // The file may say how something is drawn that it does not have.
-    std::erase_if(after.displays,
-                  [&](const study::Display& display) { return display.structure == name && name != before; });
-    for (study::Display& display : after.displays) {
-      display.structure = display.structure == before ? name : display.structure;
-    }
+    renameStructure(before, name, after);
   }
   if (item.kind == ItemKind::pose && name != before) {
     // A run may list the new name as a clip at a time already: it is the same pose.

@@ -13,15 +13,16 @@
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QSpinBox>
+#include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
-#include "lorica/commands/edits.h"
+#include "lorica/commands/shot_edits.h"
 #include "lorica/document/appearance.h"
 #include "lorica/models/numbers.h"
-#include "lorica/panels/property_form.h"
+#include "lorica/panels/shot_forms.h"
 
 namespace lorica::dialogs {
 
@@ -49,8 +50,10 @@ ShotLineDialog::ShotLineDialog(document::StudyDocument& document, jobs::RunContr
   auto* column = new QVBoxLayout(this);
   auto* sides = new QHBoxLayout;
   column->addLayout(sides, 1);
-  sides->addWidget(makeSourceSide(), 1);
-  sides->addWidget(makeRunSide(), 1);
+  sourceSide_ = makeSourceSide();
+  runSide_ = makeRunSide();
+  sides->addWidget(sourceSide_, 1);
+  sides->addWidget(runSide_, 1);
   column->addWidget(makeRunRow());
 
   connect(&document_, &StudyDocument::replaced, this, [this] {
@@ -71,6 +74,7 @@ ShotLineDialog::ShotLineDialog(document::StudyDocument& document, jobs::RunContr
     refresh();
     measure();
   });
+  connect(&document_, &StudyDocument::planChanged, this, &ShotLineDialog::refresh);
   connect(&document_, &StudyDocument::selectionChanged, this, [this] {
     if (document_.selection() && document_.selection()->kind == ItemKind::source) {
       source_ = document_.selection()->name;
@@ -115,6 +119,7 @@ QWidget* ShotLineDialog::makeSourceSide() {
     return made;
   };
   QToolButton* add = button(tr("Add"), "add_source", tr("Add a source 5 m ahead of the body"));
+  duplicateSource_ = button(tr("Duplicate"), "duplicate_source", tr("Add a copy of this source"));
   removeSource_ = button(tr("Remove"), "remove_source", tr("Remove this source"));
   renameSource_ = button(tr("Rename..."), "rename_source", tr("Give this source another name"));
   connect(sources_, &QComboBox::activated, this, [this](int index) {
@@ -127,6 +132,12 @@ QWidget* ShotLineDialog::makeSourceSide() {
       refresh();
     }
   });
+  connect(duplicateSource_, &QToolButton::clicked, this, [this] {
+    if (!source_.empty()) {
+      source_ = commands::duplicateSource(document_, source_);
+      refresh();
+    }
+  });
   connect(removeSource_, &QToolButton::clicked, this, [this] {
     if (!source_.empty()) {
       commands::removeItem(document_, {ItemKind::source, source_});
@@ -135,7 +146,9 @@ QWidget* ShotLineDialog::makeSourceSide() {
   connect(renameSource_, &QToolButton::clicked, this, &ShotLineDialog::renameSource);
 
   sourceForm_ = new panels::PropertyForm(document_, group);
-  panels::addSourceRows(*sourceForm_, [this] { return source_; });
+  draft_ = std::make_shared<panels::SourceDraft>(document_, [this] { return source_; });
+  draft_->onEdit([this] { refresh(); });
+  panels::addSourceRows(*sourceForm_, draft_);
   column->addWidget(sourceForm_);
   pick_ = new QPushButton(tr("Pick in view"), group);
   pick_->setObjectName(QStringLiteral("pick"));
@@ -145,13 +158,28 @@ QWidget* ShotLineDialog::makeSourceSide() {
   pick_->setAutoDefault(false);
   pick_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   sourceForm_->row(QLatin1String(""), pick_);
+  sourceForm_->showRowWhile(pick_, [this] { return draft_->source().type == study::SourceType::point; });
   column->addStretch(1);
   column->addWidget(makeViewRows());
   return group;
 }
 
 QWidget* ShotLineDialog::makeRunSide() {
-  auto* group = new QGroupBox(tr("Run"), this);
+  auto* tabs = new QTabWidget(this);
+  tabs->setObjectName(QStringLiteral("run_tabs"));
+  tabs->addTab(makeRunPage(), tr("Run"));
+  analysesForm_ = new panels::PropertyForm(document_);
+  panels::addAnalysesRows(*analysesForm_);
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->addWidget(analysesForm_);
+  column->addStretch(1);
+  tabs->addTab(page, tr("Analyses"));
+  return tabs;
+}
+
+QWidget* ShotLineDialog::makeRunPage() {
+  auto* group = new QWidget(this);
   auto* column = new QVBoxLayout(group);
   auto* row = new QHBoxLayout;
   column->addLayout(row);
@@ -180,6 +208,7 @@ QWidget* ShotLineDialog::makeRunSide() {
   column->addWidget(poses_, 1);
   runForm_ = new panels::PropertyForm(document_, group);
   panels::addRunRows(*runForm_);
+  panels::addStopRows(*runForm_);
   runForm_->note({"systems", tr("Armor")}, [this] {
     QStringList names{tr("unarmored")};
     for (const study::ArmorSystem& system : document_.study().systems) {
@@ -289,11 +318,12 @@ void ShotLineDialog::refresh() {
     refreshPoses();
     refreshStructures();
   }
-  for (auto* group : findChildren<QGroupBox*>()) {
-    group->setEnabled(document_.hasStudy());
+  for (QWidget* part : std::initializer_list<QWidget*>{sourceSide_, runSide_}) {
+    part->setEnabled(document_.hasStudy());
   }
-  sourceForm_->refresh();
-  runForm_->refresh();
+  for (panels::PropertyForm* form : {sourceForm_, runForm_, analysesForm_}) {
+    form->refresh();
+  }
   refreshRun();
   updateDisplay();
 }
@@ -305,7 +335,8 @@ void ShotLineDialog::refreshSources() {
   }
   sources_->setCurrentIndex(sources_->findText(shown(source_), Qt::MatchExactly | Qt::MatchCaseSensitive));
   const bool any = !source_.empty();
-  for (QWidget* widget : std::initializer_list<QWidget*>{sources_, removeSource_, renameSource_, sourceForm_, pick_}) {
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{sources_, duplicateSource_, removeSource_, renameSource_, sourceForm_}) {
     widget->setEnabled(any);
   }
 }
@@ -498,9 +529,10 @@ QString ShotLineDialog::estimateText() const {
     return {};
   }
   const std::size_t poses = analysis::defaultPoses(study).size();
-  const double total = jobs::RunController::totalShots(study);
+  const double total = jobs::RunController::totalShots(study, document_.plan().get());
   const bool alike = std::all_of(study.sources.begin(), study.sources.end(), [&](const study::Source& source) {
-    return source.shots == study.sources.front().shots;
+    return source.shots == study.sources.front().shots && source.type != study::SourceType::list &&
+           source.sequence != study::Sequence::grid;
   });
   QString text = tr("%1 × %2 × %3")
                      .arg(counted(poses, tr("%1 pose"), tr("%1 poses")),
@@ -509,6 +541,9 @@ QString ShotLineDialog::estimateText() const {
   const QString all = models::grouped(static_cast<std::uint64_t>(std::min(total, 1e18)));
   text += alike ? tr(" × %1 shots = %2 shots").arg(models::grouped(study.sources.front().shots), all)
                 : tr(", %1 shots in all").arg(all);
+  if (study.stop && study.stop->maxTrials > study.trials) {
+    text += tr(", and up to %1 trials where intervals are wide").arg(models::grouped(study.stop->maxTrials));
+  }
   if (speed_) {
     const double seconds = total / speed_->shotsPerSecond + static_cast<double>(poses) * speed_->secondsPerPose;
     text += tr("; about %1 on this machine").arg(jobs::readableTime(seconds));
@@ -524,6 +559,9 @@ QString ShotLineDialog::whyNotRun() const {
   }
   if (document_.hasStudy() && noPose_) {
     return tr("Choose at least one pose.");
+  }
+  if (draft_->isPending()) {
+    return tr("Mend what is marked in the source first.");
   }
   return runs_.trouble();
 }
@@ -542,7 +580,7 @@ void ShotLineDialog::refreshRun() {
 
 void ShotLineDialog::runStarted() {
   clock_.start();
-  shotsAsked_ = jobs::RunController::totalShots(document_.study());
+  shotsAsked_ = jobs::RunController::totalShots(document_.study(), document_.plan().get());
   posesAsked_ = static_cast<double>(analysis::defaultPoses(document_.study()).size());
   result_ = tr("Stopped.");
   cancel_->setEnabled(true);

@@ -96,6 +96,24 @@ bool exists(const StudyDocument& document, const ItemRef& item) {
   return false;
 }
 
+namespace {
+
+/// What an organ is called after an edit that took its name; empty when it went itself.
+std::string newNameOf(const std::string& organ, const std::vector<study::Organ>& before,
+                      const std::vector<study::Organ>& after) {
+  const auto old =
+      std::find_if(before.begin(), before.end(), [&](const study::Organ& one) { return one.name == organ; });
+  if (old == before.end() || before.size() != after.size()) {
+    return {};
+  }
+  study::Organ renamed = *old;
+  renamed.name = after[static_cast<std::size_t>(old - before.begin())].name;
+  const bool same = after[static_cast<std::size_t>(old - before.begin())] == renamed;
+  return same && !hasNamed(before, renamed.name) ? renamed.name : std::string();
+}
+
+}  // namespace
+
 StudyDocument::StudyDocument(QObject* parent) : QObject(parent), undoStack_(new QUndoStack(this)) {
   connect(undoStack_, &QUndoStack::cleanChanged, this, &StudyDocument::fileChanged);
 }
@@ -167,6 +185,7 @@ void StudyDocument::replace(std::optional<study::Study> study, const fs::path& f
   shownModels_ = {viscera::OrganModel::dynamic};
   inspection_ = {};
   loaded_.reset();
+  plan_.reset();
   problems_.clear();
   runs_.clear();
   {
@@ -238,6 +257,11 @@ void StudyDocument::setLoaded(std::shared_ptr<const analysis::LoadedStudy> loade
   }
 }
 
+void StudyDocument::setPlan(std::shared_ptr<const RunPlan> plan) {
+  plan_ = std::move(plan);
+  Q_EMIT planChanged();
+}
+
 void StudyDocument::setProblems(base::Issues problems) {
   problems_ = std::move(problems);
   Q_EMIT problemsChanged();
@@ -254,6 +278,7 @@ void StudyDocument::addRun(std::shared_ptr<const analysis::LoadedStudy> study, a
 }
 
 void StudyDocument::edit(EditKey, Changes what, const std::function<void(study::Study&)>& change) {
+  const std::vector<study::Organ> organsBefore = study_.organs;
   change(study_);
   const bool selectionGone = dropStaleSelection();
   const bool poseGone = !canBeShown(study_, shownPose_);
@@ -262,7 +287,7 @@ void StudyDocument::edit(EditKey, Changes what, const std::function<void(study::
   }
   const bool organGone = !inspection_.organ.empty() && !hasNamed(study_.organs, inspection_.organ);
   if (organGone) {
-    inspection_.organ.clear();
+    inspection_.organ = newNameOf(inspection_.organ, organsBefore, study_.organs);
   }
   Q_EMIT studyChanged(what);
   if (selectionGone) {

@@ -71,7 +71,7 @@ DeformationController::DeformationController(document::StudyDocument& document, 
   connect(&document_, &document::StudyDocument::replaced, this, [this] {
     audit_.reset();
     if (job_ != nullptr) {
-      abandon();
+      abandon(job_, this);
       Q_EMIT ended();
     }
   });
@@ -82,7 +82,7 @@ DeformationController::~DeformationController() = default;
 void DeformationController::start(std::vector<std::string> poses, std::vector<viscera::OrganModel> models) {
   const auto& study = document_.loaded();
   LORICA_CHECK(study != nullptr && !models.empty(), "a loaded study and a model");
-  abandon();
+  abandon(job_, this);
   if (audit_ == nullptr || audit_->study != study) {
     audit_ = std::make_shared<Audit>();
     audit_->study = study;
@@ -112,17 +112,6 @@ void DeformationController::start(std::vector<std::string> poses, std::vector<vi
 void DeformationController::cancel() {
   if (job_ != nullptr) {
     job_->cancel();
-  }
-}
-
-void DeformationController::abandon() {
-  if (job_ != nullptr) {
-    // Nobody waits for what it is at.
-    Job* job = job_.release();
-    job->disconnect(this);
-    job->setParent(this);
-    connect(job, &Job::ended, job, &QObject::deleteLater);
-    job->cancel();
   }
 }
 

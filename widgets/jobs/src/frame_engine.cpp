@@ -131,11 +131,21 @@ void FrameEngine::fill(Frame& frame, const FrameRequest& request) {
   frame.pose = request.pose;
   computeNormals(frame);
   fillDrivers(frame, request.driversOf);
+  fillShots(frame, request);
+}
+
+void FrameEngine::fillShots(Frame& frame, const FrameRequest& request) {
+  const study::Study& study = frame.study->study;
   frame.shots.clear();
-  if (request.shotSource && *request.shotSource < study.study.sources.size()) {
-    const analysis::ShotSource source = analysis::shotSourceFor(study, *request.shotSource, *frame.scene);
-    frame.shots = analysis::shotPaths(*frame.scene, source, study.study.seed, request.shotLimit);
+  frame.shotsOf.clear();
+  if (!request.shotSource || *request.shotSource >= study.sources.size()) {
+    return;
   }
+  const analysis::ShotSource source =
+      request.planned ? *request.planned : analysis::shotSourceFor(*frame.study, *request.shotSource, *frame.scene);
+  frame.shots = analysis::shotPaths(*frame.scene, source, study.seed, request.shotLimit);
+  frame.shotsOf = source.source.name;
+  frame.shotsOfRun = request.planned.has_value();
 }
 
 void FrameEngine::fillDrivers(Frame& frame, const std::string& organ) {

@@ -21,6 +21,18 @@ QString sentenceOf(const std::exception_ptr& error) {
   }
 }
 
+void abandon(std::unique_ptr<Job>& job, QObject* keeper) {
+  if (job == nullptr) {
+    return;
+  }
+  // It ends when it next looks at its token.
+  Job* given = job.release();
+  given->disconnect(keeper);
+  given->setParent(keeper);
+  QObject::connect(given, &Job::ended, given, &QObject::deleteLater);
+  given->cancel();
+}
+
 Job::Job(QString title, Work work, QObject* parent)
     : QObject(parent), title_(std::move(title)), work_(std::move(work)) {
   timer_.setInterval(100);

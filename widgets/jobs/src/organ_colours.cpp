@@ -97,14 +97,7 @@ OrganColourer::OrganColourer(QObject* parent) : QObject(parent) {
 OrganColourer::~OrganColourer() = default;
 
 void OrganColourer::abandon() {
-  if (job_ != nullptr) {
-    // Nobody waits for what it is at.
-    Job* job = job_.release();
-    job->disconnect(this);
-    job->setParent(this);
-    connect(job, &Job::ended, job, &QObject::deleteLater);
-    job->cancel();
-  }
+  jobs::abandon(job_, this);
 }
 
 void OrganColourer::request(std::shared_ptr<const Frame> frame, Colouring what) {

@@ -8,6 +8,20 @@
 
 namespace lorica::jobs {
 
+namespace {
+
+/// What of the study keeps a run from being planned.
+QString whereOf(const document::RunPlan& plan) {
+  const QString place = QString::fromStdString(plan.trouble->place);
+  const auto& sources = plan.study->study.sources;
+  const std::size_t index = place.section(u'/', 2, 2).toULongLong();
+  return place.startsWith(u"/sources/") && index < sources.size()
+             ? RunController::tr("Source %1").arg(QString::fromStdString(sources[index].name))
+             : RunController::tr("The run cannot be planned");
+}
+
+}  // namespace
+
 RunController::RunController(document::StudyDocument& document, QObject* parent)
     : QObject(parent), document_(document) {
   // A run of a study that is gone is of no use to anybody.
@@ -39,6 +53,9 @@ QString RunController::trouble() const {
   }
   if (study.models.empty()) {
     return tr("No organ model is chosen; choose at least one.");
+  }
+  if (const auto& plan = document_.plan(); plan != nullptr && plan->study == loaded && plan->trouble) {
+    return tr("%1: %2.").arg(whereOf(*plan), QString::fromStdString(plan->trouble->text));
   }
   return {};
 }
@@ -75,10 +92,13 @@ void RunController::cancel() {
   }
 }
 
-double RunController::totalShots(const study::Study& study) {
+double RunController::totalShots(const study::Study& study, const document::RunPlan* plan) {
   double perPose = 0.0;
-  for (const study::Source& source : study.sources) {
-    perPose += static_cast<double>(source.shots);
+  for (std::size_t i = 0; i < study.sources.size(); ++i) {
+    const study::Source& source = study.sources[i];
+    const bool ownNumber = source.type == study::SourceType::list || source.sequence == study::Sequence::grid;
+    const bool planned = plan != nullptr && i < plan->result.sources.size();
+    perPose += static_cast<double>(ownNumber && planned ? plan->result.sources[i].shots : source.shots);
   }
   return perPose * study.trials * static_cast<double>(analysis::defaultPoses(study).size());
 }

@@ -25,12 +25,7 @@ void StudyLoader::abandon() {
   if (job_ == nullptr) {
     return;
   }
-  // Not waited for here: it ends when it next looks at its token, and is ours until then.
-  Job* job = job_.release();
-  job->disconnect(this);
-  job->setParent(this);
-  connect(job, &Job::ended, job, &QObject::deleteLater);
-  job->cancel();
+  jobs::abandon(job_, this);
   Q_EMIT ended();
 }
 

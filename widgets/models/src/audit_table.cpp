@@ -132,6 +132,18 @@ QVariant AuditTable::cellData(const AuditRow& row, int column, int role) const {
   }
 }
 
+namespace {
+
+/// The unit below what it is the unit of: columns of numbers are narrow.
+QString stacked(QString title) {
+  if (const qsizetype blank = title.lastIndexOf(u' '); blank >= 0) {
+    title[blank] = u'\n';
+  }
+  return title;
+}
+
+}  // namespace
+
 QVariant AuditTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) {
     return {};
@@ -139,7 +151,7 @@ QVariant AuditTable::headerData(int section, Qt::Orientation orientation, int ro
   const AuditColumn& column = data_.columns[static_cast<std::size_t>(section)];
   switch (role) {
     case Qt::DisplayRole:
-      return column.title;
+      return section < data_.textColumns ? column.title : stacked(column.title);
     case Qt::ToolTipRole:
       return column.meaning.isEmpty() ? QVariant() : column.meaning;
     case Qt::TextAlignmentRole:

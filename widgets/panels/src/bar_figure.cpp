@@ -20,6 +20,7 @@ namespace {
 constexpr double groupWidth = 0.72;  ///< of a category's share of the axis
 constexpr int longestLabel = 22;     ///< average letters
 constexpr int linesOfASmallFigure = 18;
+constexpr double valuesShare = 0.5;  ///< of the height of a figure that its bars have at least
 
 /// Labels of the axis: readable, at most so wide, all different.
 QStringList labelsOf(const std::vector<std::string>& names, const QFontMetricsF& metrics, double width) {
@@ -156,9 +157,12 @@ bool BarFigure::isSmall() const {
 void BarFigure::placeTitles() {
   const bool small = isSmall();
   setTitle(small ? QString() : data_.title.toHtmlEscaped());
-  values_->setTitleText(small ? QString() : data_.valueTitle);
+  // A title that stands beside the values must not be longer than they reach.
+  const bool untitled =
+      small || QFontMetricsF(values_->titleFont()).horizontalAdvance(data_.valueTitle) > valuesShare * size().height();
+  values_->setTitleText(untitled ? QString() : data_.valueTitle);
   values_->setLabelFormat(QStringLiteral("%g") +
-                          (small ? QString(data_.unit).replace('%', QLatin1String("%%")) : QString()));
+                          (untitled ? QString(data_.unit).replace('%', QLatin1String("%%")) : QString()));
   const bool anyBlank = std::any_of(data_.series.begin(), data_.series.end(), [](const FigureSeries& series) {
     return std::any_of(series.bars.begin(), series.bars.end(), [](const FigureBar& bar) { return bar.isBlank(); });
   });

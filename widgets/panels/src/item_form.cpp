@@ -5,6 +5,7 @@
 #include "item_form_parts.h"
 #include "item_forms.h"
 #include "lorica/commands/edits.h"
+#include "lorica/panels/shot_forms.h"
 
 namespace lorica::panels {
 
@@ -25,6 +26,9 @@ void fillStudy(PropertyForm& form) {
       [&document](const QString& text) { commands::setStudyDescription(document, text.toStdString()); });
   form.section(Text::tr("Run"));
   addRunRows(form);
+  addStopRows(form);
+  form.section(Text::tr("Analyses"));
+  addAnalysesRows(form);
   form.section(Text::tr("Body"));
   using study::Deformer;
   form.choice(
@@ -93,7 +97,9 @@ void fillSource(PropertyForm& form, const std::string& name) {
   addNameRow(form, {ItemKind::source, name});
   addDescriptionRow(form, {ItemKind::source, name},
                     [&document, name] { return namedOrNone(document.study().sources, name).description; });
-  addSourceRows(form, [name] { return name; });
+  const auto draft = std::make_shared<SourceDraft>(document, [name] { return name; });
+  draft->onEdit([&form] { form.refresh(); });
+  addSourceRows(form, draft);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ PropertiesPanel::PropertiesPanel(document::StudyDocument& document, QWidget* par
   connect(&document_, &StudyDocument::replaced, this, &PropertiesPanel::rebuild);
   connect(&document_, &StudyDocument::studyChanged, this, &PropertiesPanel::refresh);
   connect(&document_, &StudyDocument::loadedChanged, this, &PropertiesPanel::refresh);
+  connect(&document_, &StudyDocument::planChanged, this, &PropertiesPanel::refresh);
   rebuild();
 }
 

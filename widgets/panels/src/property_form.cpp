@@ -10,10 +10,10 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPlainTextEdit>
+#include <QResizeEvent>
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QToolButton>
-#include <array>
 
 namespace lorica::panels {
 
@@ -72,6 +72,24 @@ class Paragraph : public QPlainTextEdit {
 
  private:
   std::function<void()> done_;
+};
+
+/// Wrapped text that asks for its height as a plain widget does: where a form has rows whose height follows their
+/// width, Qt gives rows that come back no height.
+class WrappedLabel : public QLabel {
+ public:
+  using QLabel::QLabel;
+  bool hasHeightForWidth() const override { return false; }
+  QSize sizeHint() const override { return {QLabel::sizeHint().width(), heightForWidth(width())}; }
+  QSize minimumSizeHint() const override { return {0, heightForWidth(width())}; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QLabel::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width()) {
+      updateGeometry();
+    }
+  }
 };
 
 /// Wheels scroll the panel; a number changes under the wheel only once it was clicked.
@@ -160,7 +178,7 @@ ElidedLabel* PropertyForm::fact(const Field& field, std::function<QString()> get
 }
 
 QLabel* PropertyForm::note(const Field& field, std::function<QString()> get) {
-  auto* label = new QLabel(this);
+  auto* label = new WrappedLabel(this);
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   // A long word is no reason to widen the form.
@@ -169,6 +187,18 @@ QLabel* PropertyForm::note(const Field& field, std::function<QString()> get) {
   label->setSizePolicy(policy);
   name(label, field);
   row(field.label, label, [label, get = std::move(get)] { label->setText(get()); });
+  return label;
+}
+
+QLabel* PropertyForm::trouble(const char* id, std::function<QString()> get) {
+  QLabel* label = note({id, QLatin1String("")}, get);
+  label->setObjectName(QString::fromLatin1(id) + QStringLiteral("_trouble"));
+  label->setAccessibleName({});
+  QPalette colours = label->palette();
+  const bool dark = colours.color(QPalette::Window).lightness() < 128;
+  colours.setColor(QPalette::WindowText, dark ? QColor(255, 140, 130) : QColor(170, 20, 20));
+  label->setPalette(colours);
+  showRowWhile(label, [get = std::move(get)] { return !get().isEmpty(); });
   return label;
 }
 
@@ -246,40 +276,54 @@ QDoubleSpinBox* PropertyForm::number(const Field& field, const NumberRange& rang
   return spin;
 }
 
-QWidget* PropertyForm::triple(const Field& field, const NumberRange& range, std::function<geometry::Vec3d()> get,
-                              const std::function<void(const geometry::Vec3d&)>& set) {
+QWidget* PropertyForm::numbers(const Field& field, const std::vector<NumberPart>& parts,
+                               std::function<std::vector<double>()> get,
+                               const std::function<void(std::size_t, double)>& set) {
   auto* group = new QWidget(this);
   name(group, field);
   auto* layout = new QHBoxLayout(group);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(fontMetrics().height() / 4);
-  std::array<QDoubleSpinBox*, 3> spins{};
-  for (int axis = 0; axis < 3; ++axis) {
-    QDoubleSpinBox* spin = makeSpin(range);
-    const QChar letter = u"xyz"[axis];
-    spin->setPrefix(letter + QStringLiteral(" "));
-    spin->setObjectName(QString::fromLatin1(field.id) + u'_' + letter);
-    spin->setAccessibleName(field.label + u' ' + letter);
+  std::vector<QDoubleSpinBox*> spins;
+  for (std::size_t which = 0; which < parts.size(); ++which) {
+    const NumberPart& part = parts[which];
+    QDoubleSpinBox* spin = makeSpin(part.range);
+    const QString id = QString::fromLatin1(part.id);
+    spin->setPrefix(part.prefix);
+    spin->setObjectName(QString::fromLatin1(field.id) + u'_' + id);
+    spin->setAccessibleName(field.label + u' ' + id);
     spin->setButtonSymbols(QAbstractSpinBox::NoButtons);
     spin->setToolTip(field.tip);
-    spins[static_cast<std::size_t>(axis)] = spin;
+    spins.push_back(spin);
     layout->addWidget(spin, 1);
-    connect(spin, &QDoubleSpinBox::valueChanged, this, [this, axis, get, set](double value) {
+    connect(spin, &QDoubleSpinBox::valueChanged, this, [this, which, set](double value) {
       if (!refreshing_) {
-        // The other two keep the digits that are not shown.
-        geometry::Vec3d point = get();
-        point[axis] = value;
-        set(point);
+        set(which, value);
       }
     });
   }
   row(field.label, group, [spins, get = std::move(get)] {
-    const geometry::Vec3d point = get();
-    for (int axis = 0; axis < 3; ++axis) {
-      spins[static_cast<std::size_t>(axis)]->setValue(point[axis]);
+    const std::vector<double> values = get();
+    for (std::size_t which = 0; which < spins.size(); ++which) {
+      spins[which]->setValue(values[which]);
     }
   });
   return group;
+}
+
+QWidget* PropertyForm::triple(const Field& field, const NumberRange& range, std::function<geometry::Vec3d()> get,
+                              const std::function<void(const geometry::Vec3d&)>& set) {
+  const auto values = [get] {
+    const geometry::Vec3d point = get();
+    return std::vector<double>(point.begin(), point.end());
+  };
+  return numbers(field, {{"x", range, "x "}, {"y", range, "y "}, {"z", range, "z "}}, values,
+                 [get, set](std::size_t axis, double value) {
+                   // The other two keep the digits that are not shown.
+                   geometry::Vec3d point = get();
+                   point[static_cast<Eigen::Index>(axis)] = value;
+                   set(point);
+                 });
 }
 
 QComboBox* PropertyForm::choice(const Field& field, std::function<std::vector<Choice>()> choices,

@@ -5,7 +5,6 @@
 #include "driver_presenter.h"
 #include "floor_presenter.h"
 #include "mesh_presenter.h"
-#include "source_presenter.h"
 
 namespace lorica::viewport {
 
@@ -34,10 +33,15 @@ Pane::Pane(std::size_t model, vtkCamera* camera) {
   presenters_.push_back(std::make_unique<OrganPresenter>(renderer_, model));
   presenters_.push_back(std::make_unique<ArmorPresenter>(renderer_));
   presenters_.push_back(std::make_unique<DriverPresenter>(renderer_, model));
-  presenters_.push_back(std::make_unique<SourcePresenter>(renderer_));
+  auto sources = std::make_unique<SourcePresenter>(renderer_);
+  sources_ = sources.get();
+  presenters_.push_back(std::move(sources));
   auto shots = std::make_unique<ShotPresenter>(renderer_, model);
   shots_ = shots.get();
   presenters_.push_back(std::move(shots));
+  auto inspected = std::make_unique<InspectedShotPresenter>(renderer_, model);
+  inspected_ = inspected.get();
+  presenters_.push_back(std::move(inspected));
   vtkTextProperty* text = title_->GetTextProperty();
   text->SetFontFamilyToArial();
   text->SetColor(0.20, 0.22, 0.25);

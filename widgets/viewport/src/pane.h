@@ -9,8 +9,10 @@
 #include <memory>
 #include <vector>
 
+#include "inspected_shot.h"
 #include "presenter.h"
 #include "shot_presenter.h"
+#include "source_presenter.h"
 
 namespace lorica::viewport {
 
@@ -22,6 +24,8 @@ class Pane {
 
   vtkRenderer* renderer() { return renderer_; }
   ShotPresenter& shots() { return *shots_; }
+  SourcePresenter& sources() { return *sources_; }
+  InspectedShotPresenter& inspected() { return *inspected_; }
   /// \param title of the pane; empty: none
   void showFrame(const std::shared_ptr<const jobs::Frame>& frame, const QString& title);
   void restyle(const document::StudyDocument& document);
@@ -36,6 +40,8 @@ class Pane {
   vtkNew<vtkTextActor> title_;
   std::vector<std::unique_ptr<Presenter>> presenters_;
   ShotPresenter* shots_ = nullptr;
+  SourcePresenter* sources_ = nullptr;
+  InspectedShotPresenter* inspected_ = nullptr;
 };
 
 }  // namespace lorica::viewport

@@ -5,6 +5,7 @@
 #include <vtkCamera.h>
 #include <vtkCaptionActor2D.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkMatrix4x4.h>
 #include <vtkOrientationMarkerWidget.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkTextActor.h>
@@ -53,6 +54,20 @@ QString titleOf(viscera::OrganModel model) {
   return {};
 }
 
+ScreenView screenViewOf(vtkRenderer* renderer) {
+  const vtkMatrix4x4* matrix =
+      renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  ScreenView view;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      view.toClip(row, column) = matrix->GetElement(row, column);
+    }
+  }
+  const int* size = renderer->GetSize();
+  view.size = Eigen::Vector2d(size[0], size[1]);
+  return view;
+}
+
 /// The axes in the corner, by what they mean for the person.
 void dressAxes(vtkAxesActor* axes) {
   axes->SetXAxisLabelText("left");
@@ -93,6 +108,8 @@ struct SceneView::Impl {
   std::vector<std::unique_ptr<Pane>> panes;
   std::shared_ptr<const jobs::Frame> frame;
   std::string shotFilter;
+  bool compass = true;
+  std::shared_ptr<const jobs::ShotInspection> inspection;
   std::optional<Vec3d> sourcePick;
   QPointF pressed;
   CoarseMeshes coarseMeshes;
@@ -222,6 +239,8 @@ void SceneView::arrangePanes(std::size_t count) {
     // A thin line of background between the panes.
     pane->renderer()->SetViewport(left + (p > 0 ? 0.001 : 0.0), 0.0, left + share, 1.0);
     pane->shots().setFilter(impl_->shotFilter);
+    pane->sources().setCompass(impl_->compass);
+    pane->inspected().inspect(impl_->inspection);
     impl_->window->AddRenderer(pane->renderer());
     impl_->panes.push_back(std::move(pane));
   }
@@ -343,6 +362,22 @@ void SceneView::setShotFilter(const std::string& met) {
   restyle();
 }
 
+void SceneView::showCompass(bool on) {
+  impl_->compass = on;
+  for (const auto& pane : impl_->panes) {
+    pane->sources().setCompass(on);
+  }
+  restyle();
+}
+
+void SceneView::markShot(std::shared_ptr<const jobs::ShotInspection> inspection) {
+  impl_->inspection = std::move(inspection);
+  for (const auto& pane : impl_->panes) {
+    pane->inspected().inspect(impl_->inspection);
+  }
+  restyle();
+}
+
 void SceneView::lookFrom(StandardView view) {
   vtkCamera* camera = impl_->camera;
   const double distance = camera->GetDistance();
@@ -406,6 +441,13 @@ void SceneView::fitSelection() {
   for (std::size_t p = 0; p < study.pieces.size(); ++p) {
     if (selection->kind == document::ItemKind::piece && study.pieces[p]->name == selection->name) {
       box.extend(geometry::bounds(scene.piece(p)));
+    }
+  }
+  for (const study::Source& source : document_.study().sources) {
+    if (selection->kind == document::ItemKind::source && source.name == selection->name) {
+      const Vec3d aim = aimIn(*impl_->frame, source);
+      const Vec3d reach = Vec3d::Constant(radiusIn(*impl_->frame, aim));
+      box = geometry::Box3d(aim - reach, aim + reach);
     }
   }
   if (box.isEmpty()) {
@@ -475,7 +517,7 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
     const bool still = (mouse->position() - impl_->pressed).manhattanLength() < 4.0;
     if (mouse->button() == Qt::LeftButton && still) {
-      click(mouse->position());
+      click(mouse->position(), mouse->modifiers().testFlag(Qt::ShiftModifier));
     }
   } else if (event->type() == QEvent::KeyPress && isPicking() &&
              static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
@@ -485,7 +527,35 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-void SceneView::click(const QPointF& place) {
+QPointF SceneView::placeOf(const Vec3d& place) const {
+  vtkRenderer* renderer = impl_->panes.front()->renderer();
+  const Eigen::Vector2d pixel = screenViewOf(renderer).pixel(place);
+  const int* origin = renderer->GetOrigin();
+  const double scale = impl_->widget->devicePixelRatioF();
+  const QPoint corner = impl_->widget->mapTo(this, QPoint());
+  return {corner.x() + (pixel.x() + origin[0]) / scale,
+          corner.y() + (impl_->window->GetSize()[1] - 1 - pixel.y() - origin[1]) / scale};
+}
+
+bool SceneView::clickShot(std::size_t pane, double x, double y) {
+  if (!impl_->frame->shotsOfRun) {
+    return false;
+  }
+  constexpr double tolerance = 3.0;  // logical pixels
+  vtkRenderer* renderer = impl_->panes[pane]->renderer();
+  const std::vector<DrawnShot>& drawn = impl_->panes[pane]->shots().drawnShots();
+  const ScreenView view = screenViewOf(renderer);
+  const int* origin = renderer->GetOrigin();
+  const auto shot = shotAt(drawn, view, {x - origin[0], y - origin[1]}, tolerance * impl_->widget->devicePixelRatioF());
+  if (shot) {
+    // What is drawn are shots of the first trial.
+    Q_EMIT shotClicked(QStringLiteral("%1:1:%2").arg(QString::fromStdString(impl_->frame->shotsOf),
+                                                     QString::number(drawn[*shot].number)));
+  }
+  return shot.has_value();
+}
+
+void SceneView::click(const QPointF& place, bool throughShots) {
   if (impl_->frame == nullptr) {
     return;
   }
@@ -495,6 +565,9 @@ void SceneView::click(const QPointF& place) {
   const double y = size[1] - 1 - place.y() * scale;
   const auto pane = std::min(impl_->panes.size() - 1,
                              static_cast<std::size_t>(x * static_cast<double>(impl_->panes.size()) / size[0]));
+  if (!impl_->sourcePick && !throughShots && clickShot(pane, x, y)) {
+    return;
+  }
   vtkRenderer* renderer = impl_->panes[pane]->renderer();
   const auto unproject = [&](double depth) {
     renderer->SetDisplayPoint(x, y, depth);

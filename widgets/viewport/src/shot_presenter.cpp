@@ -78,7 +78,7 @@ void ShotPresenter::restyle(const document::StudyDocument& document) {
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);
-  shown_ = 0;
+  drawn_.clear();
   if (frame_ != nullptr && !frame_->shots.empty()) {
     const study::Study& study = document.study();
     std::vector<bool> pieceShown;
@@ -105,7 +105,7 @@ void ShotPresenter::restyle(const document::StudyDocument& document) {
                                              static_cast<unsigned char>(colour.green()),
                                              static_cast<unsigned char>(colour.blue())};
       colours->InsertNextTypedTuple(rgb.data());
-      ++shown_;
+      drawn_.push_back({shot.number, from, to});
     }
   }
   data_->SetPoints(points);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "presenter.h"
+#include "shot_picking.h"
 
 namespace lorica::viewport {
 
@@ -21,12 +22,14 @@ class ShotPresenter final : public Presenter {
   void restyle(const document::StudyDocument& document) override;
   /// Only shots that met this: "" all, "hits", "miss", "body", "armor", "organs" or the name of a structure.
   void setFilter(std::string met) { filter_ = std::move(met); }
-  std::size_t shownShots() const { return shown_; }
+  std::size_t shownShots() const { return drawn_.size(); }
+  /// Those that are drawn, in the order of the frame.
+  const std::vector<DrawnShot>& drawnShots() const { return drawn_; }
 
  private:
   std::size_t model_;
   std::string filter_;
-  std::size_t shown_ = 0;
+  std::vector<DrawnShot> drawn_;
   std::shared_ptr<const jobs::Frame> frame_;
   vtkNew<vtkPolyData> data_;
   vtkNew<vtkActor> actor_;

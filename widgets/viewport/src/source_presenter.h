@@ -1,28 +1,41 @@
 #pragma once
 
-#include <vtkActor.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
+#include <vtkBillboardTextActor3D.h>
+#include <vtkSmartPointer.h>
 
+#include "line_layer.h"
 #include "presenter.h"
 
 namespace lorica::viewport {
 
-/// Where shots come from: a ball at every source and a line to what it aims at.
+/// Where shots come from, each source by its shape, the selected one stronger; around the body, what azimuth and
+/// elevation mean, while a source is selected.
 class SourcePresenter final : public Presenter {
  public:
   explicit SourcePresenter(vtkRenderer* renderer);
   ~SourcePresenter() override;
   void showFrame(const std::shared_ptr<const jobs::Frame>& frame) override;
   void restyle(const document::StudyDocument& document) override;
+  /// Whether azimuth and elevation are drawn at all.
+  void setCompass(bool on) { compassOn_ = on; }
 
  private:
-  geometry::Vec3d middle_ = geometry::Vec3d::Zero();  ///< of the posed skin
-  bool shown_ = false;
-  vtkNew<vtkPolyData> balls_;
-  vtkNew<vtkPolyData> lines_;
-  vtkNew<vtkActor> ballActor_;
-  vtkNew<vtkActor> lineActor_;
+  std::span<const raycast::Ray> listedBy(const std::string& source) const;
+  void drawCompass(const std::optional<Compass>& compass);
+
+  std::shared_ptr<const jobs::Frame> frame_;
+  bool compassOn_ = true;
+  LineLayer lines_;
+  LineLayer balls_;
+  LineLayer selectedLines_;
+  LineLayer selectedBalls_;
+  LineLayer compass_;
+  LineLayer direction_;
+  std::vector<vtkSmartPointer<vtkBillboardTextActor3D>> labels_;
 };
+
+/// Where a source is aimed at in a posed scene, and the radius of the ball around that which holds the skin.
+geometry::Vec3d aimIn(const jobs::Frame& frame, const study::Source& source);
+double radiusIn(const jobs::Frame& frame, const geometry::Vec3d& aim);
 
 }  // namespace lorica::viewport

@@ -41,7 +41,15 @@ ShotName shotNamed(const std::string& text);
 std::vector<ShotDetails> shotDetails(const LoadedStudy& study, const RunResult& plan, const ShotName& name,
                                      base::Threads threads);
 
-/// The same as text: for each pose the passages in order, then for each armor system and organ model the shot cut into
+/// Those passages that are of the body, of a system's armor and of a model's organs.
+std::vector<NamedPassage> passagesUnder(std::span<const NamedPassage> passages, const std::string& system,
+                                        const std::string& model);
+
+/// A shot cut into pieces with their owners, as the overlap policy of a study decides. The body is what all else lies
+/// in: it owns only what nothing else does. \param passages of one armor system and one organ model
+std::vector<shotline::Segment> segmentsOf(const study::Overlap& overlap, std::span<const NamedPassage> passages);
+
+/// The shot as text: for each pose the passages in order, then for each armor system and organ model the shot cut into
 /// pieces, with gaps and with overlaps as the study says.
 std::string shotReport(const LoadedStudy& study, const RunResult& plan, const ShotName& name, base::Threads threads);
 

@@ -64,12 +64,11 @@ inline constexpr double densest = 10000.0;
 void setArealDensity(StudyDocument& document, const std::string& piece, std::optional<double> density);
 void setNonProtecting(StudyDocument& document, const std::string& piece, const std::vector<std::string>& parts);
 
-/// Merges while it is dragged. Kept within 99 km of the origin.
+/// Of a point. Merges while it is dragged. Kept within 99 km of the origin.
 void setSourcePosition(StudyDocument& document, const std::string& source, const geometry::Vec3d& position);
 /// None: the centre of the posed body. Merges while it is dragged, kept within 99 km of the origin.
 void setSourceTarget(StudyDocument& document, const std::string& source, const std::optional<geometry::Vec3d>& target);
-void setSourceSampler(StudyDocument& document, const std::string& source, study::Sampler sampler);
-/// Per trial, 1 to 1e12.
+/// Per trial, 1 to 1e12; a grid and a list have their own number.
 void setSourceShots(StudyDocument& document, const std::string& source, std::uint64_t shots);
 
 // --- structure ------------------------------------------------------------------------------------------------------
@@ -83,8 +82,9 @@ void addPose(StudyDocument& document, const study::Pose& pose);
 void replaceStudy(StudyDocument& document, study::Study study, const QString& text);
 /// Whether this item can be removed or renamed: organs, systems, pieces, poses but rest, sources.
 bool canRemove(const ItemRef& item);
-/// Removes an organ, system, piece, pose or source, with what refers to it (displays, run poses). What
-/// followed the program's default visibility goes on to follow it when another system becomes the first.
+/// Removes an organ, system, piece, pose or source, with what refers to it (displays, run poses, targets of sources,
+/// the rule for stopping, the order of overlaps). What followed the program's default visibility goes on to follow it
+/// when another system becomes the first.
 /// \pre canRemove()
 void removeItem(StudyDocument& document, const ItemRef& item);
 /// What is wrong with a new name for the item, one sentence; empty when it can be taken.

@@ -24,6 +24,7 @@ class QToolButton;
 
 namespace lorica::panels {
 class PropertyForm;
+class SourceDraft;
 }  // namespace lorica::panels
 
 namespace lorica::dialogs {
@@ -67,6 +68,7 @@ class ShotLineDialog : public QDialog {
  private:
   QWidget* makeSourceSide();
   QWidget* makeRunSide();
+  QWidget* makeRunPage();
   QWidget* makeViewRows();
   QWidget* makeRunRow();
   void refresh();
@@ -92,13 +94,18 @@ class ShotLineDialog : public QDialog {
   bool refreshing_ = false;
   ShotDisplay display_;
 
+  QWidget* sourceSide_ = nullptr;
+  QWidget* runSide_ = nullptr;
   QComboBox* sources_ = nullptr;
+  QToolButton* duplicateSource_ = nullptr;
   QToolButton* removeSource_ = nullptr;
   QToolButton* renameSource_ = nullptr;
   panels::PropertyForm* sourceForm_ = nullptr;
+  std::shared_ptr<panels::SourceDraft> draft_;
   QPushButton* pick_ = nullptr;
   QListWidget* poses_ = nullptr;
   panels::PropertyForm* runForm_ = nullptr;
+  panels::PropertyForm* analysesForm_ = nullptr;
   QCheckBox* showShots_ = nullptr;
   QSpinBox* limit_ = nullptr;
   QComboBox* firstHit_ = nullptr;

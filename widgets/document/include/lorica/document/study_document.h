@@ -35,7 +35,7 @@ enum class Change : unsigned {
   armor = 8,     ///< systems and pieces
   poses = 16,    ///< poses and which of them are run
   sources = 32,  ///< sources of shots
-  run = 64,      ///< models, trials, seed
+  run = 64,      ///< models, trials, seed, rule for stopping, overlaps, analyses
   display = 128  ///< visibility, colour, opacity
 };
 Q_DECLARE_FLAGS(Changes, Change)
@@ -48,6 +48,13 @@ struct RunRecord {
   std::shared_ptr<const analysis::LoadedStudy> study;
   analysis::RunResult result;
   std::vector<analysis::ResultRow> summary;  ///< analysis::summaryRows()
+};
+
+/// What a run of a loaded study would shoot from, or why there can be none.
+struct RunPlan {
+  std::shared_ptr<const analysis::LoadedStudy> study;
+  analysis::RunResult result;          ///< without trials; empty when there is trouble
+  std::optional<base::Issue> trouble;  ///< with its place in the study file
 };
 
 /// Only commands can make one.
@@ -106,7 +113,7 @@ class StudyDocument : public QObject {
   const std::vector<viscera::OrganModel>& shownModels() const { return shownModels_; }
   /// \pre one or two different models
   void showModels(std::vector<viscera::OrganModel> models);
-  /// What is looked at of how organs deform. An organ that is renamed or removed is looked into no more.
+  /// What is looked at of how organs deform. A removed organ is looked into no more, a renamed one still is.
   const Inspection& inspection() const { return inspection_; }
   /// \pre the organ is one of the study's, or none
   void inspect(Inspection inspection);
@@ -114,6 +121,9 @@ class StudyDocument : public QObject {
   /// The study read and bound, as last it could be; null before. May lag behind study() while it is read again.
   const std::shared_ptr<const analysis::LoadedStudy>& loaded() const { return loaded_; }
   void setLoaded(std::shared_ptr<const analysis::LoadedStudy> loaded);
+  /// How the loaded study would be run, as last it was found out; null before. May lag behind loaded().
+  const std::shared_ptr<const RunPlan>& plan() const { return plan_; }
+  void setPlan(std::shared_ptr<const RunPlan> plan);
   /// What is odd or wrong with the study: issues of loading, or the error that kept it from being loaded.
   const base::Issues& problems() const { return problems_; }
   void setProblems(base::Issues problems);
@@ -137,6 +147,7 @@ class StudyDocument : public QObject {
   void shownModelsChanged();
   void inspectionChanged();
   void loadedChanged();
+  void planChanged();
   void problemsChanged();
   void runsChanged();
 
@@ -156,6 +167,7 @@ class StudyDocument : public QObject {
   std::vector<viscera::OrganModel> shownModels_{viscera::OrganModel::dynamic};
   Inspection inspection_;
   std::shared_ptr<const analysis::LoadedStudy> loaded_;
+  std::shared_ptr<const RunPlan> plan_;
   base::Issues problems_;
   std::vector<std::shared_ptr<const RunRecord>> runs_;
 };

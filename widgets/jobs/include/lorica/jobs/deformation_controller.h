@@ -44,7 +44,6 @@ class DeformationController : public QObject {
 
  private:
   struct Audit;
-  void abandon();
 
   document::StudyDocument& document_;
   std::shared_ptr<Audit> audit_;  ///< of the last study

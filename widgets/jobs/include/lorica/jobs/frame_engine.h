@@ -29,6 +29,8 @@ struct Frame {
   std::vector<Normals> pieceNormals;
   std::vector<Normals> organNormals;  ///< model by model
   std::vector<analysis::ShotPath> shots;
+  std::string shotsOf;                ///< the source of these shots; empty: there are none
+  bool shotsOfRun = false;            ///< whether they are the shots of the same numbers of a run
   std::string driversOf;              ///< the organ whose drivers were asked for; empty: none, or no organ of the study
   std::vector<OrganDrivers> drivers;  ///< of that organ, one for each model; else empty
   double engineMs = 0.0;              ///< deforming everything and refitting the ray tracer, without the drawing
@@ -40,6 +42,8 @@ struct FrameRequest {
   /// Which shots to draw; none: no shots. Index into Study::sources.
   std::optional<std::size_t> shotSource;
   std::size_t shotLimit = 300;
+  /// That source as a run over all its poses shoots from it; none: it bounds the skin of the pose alone.
+  std::optional<analysis::ShotSource> planned;
   std::string driversOf;  ///< organ whose drivers are wanted; empty: none
 };
 
@@ -67,6 +71,7 @@ class FrameEngine : public QObject {
   std::shared_ptr<Frame> spareFrame(const std::shared_ptr<const analysis::LoadedStudy>& study,
                                     const FrameRequest& request);
   void fill(Frame& frame, const FrameRequest& request);
+  void fillShots(Frame& frame, const FrameRequest& request);
   void fillDrivers(Frame& frame, const std::string& organ);
 
   mutable std::mutex mutex_;

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <thread>
 
 #include "lorica/base/progress.h"
@@ -62,6 +63,10 @@ class Job : public QObject {
   QTimer timer_;
   QElapsedTimer clock_;
 };
+
+/// Gives a job up without waiting for it: it is cancelled, tells `keeper` nothing more, and belongs to it until it
+/// ends. Does nothing when there is none.
+void abandon(std::unique_ptr<Job>& job, QObject* keeper);
 
 /// "7 s", "2 min 05 s", "1 h 03 min".
 QString readableTime(double seconds);

@@ -24,8 +24,9 @@ class RunController : public QObject {
   /// The run that goes on; null when none does.
   Job* job() const { return job_.get(); }
   void cancel();
-  /// All shots of a run: sources, poses and trials together.
-  static double totalShots(const study::Study& study);
+  /// All shots of a run: sources, poses and trials together, without those that a rule for stopping adds. Grids and
+  /// lists have their own numbers, which a plan knows. \param plan may be null
+  static double totalShots(const study::Study& study, const document::RunPlan* plan);
 
  Q_SIGNALS:
   void started();

@@ -58,6 +58,13 @@ struct NumberRange {
   QString suffix{};
 };
 
+/// One of several numbers in a row.
+struct NumberPart {
+  const char* id;
+  NumberRange range;
+  QString prefix{};
+};
+
 struct Choice {
   QString text;
   QString id;
@@ -90,6 +97,10 @@ class PropertyForm : public QWidget {
   /// Three numbers in a row; their object names end in _x, _y and _z.
   QWidget* triple(const Field& field, const NumberRange& range, std::function<geometry::Vec3d()> get,
                   const std::function<void(const geometry::Vec3d&)>& set);
+  /// Several numbers in a row; their object names are that of the field, _ and the part's.
+  /// \param set given which of them, and its new value
+  QWidget* numbers(const Field& field, const std::vector<NumberPart>& parts, std::function<std::vector<double>()> get,
+                   const std::function<void(std::size_t, double)>& set);
   /// \param choices asked again by every refresh
   QComboBox* choice(const Field& field, std::function<std::vector<Choice>()> choices, std::function<QString()> get,
                     std::function<void(const QString&)> set);
@@ -97,8 +108,12 @@ class PropertyForm : public QWidget {
   /// A colour, and a button that goes back to the program's default.
   QToolButton* colour(const Field& field, const std::function<QColor()>& get, std::function<void(const QColor&)> set,
                       std::function<void()> reset);
+  /// What is wrong with the field above it; takes no room while that is nothing. \param id of that field
+  QLabel* trouble(const char* id, std::function<QString()> get);
   /// A row of any widget. \param update called by refresh(); may be empty
   void row(const QString& label, QWidget* widget, std::function<void()> update = {});
+  /// Does something now and at every refresh.
+  void onRefresh(std::function<void()> update);
   /// Shows a row only while `when` holds.
   void showRowWhile(QWidget* widget, std::function<bool()> when);
 
@@ -111,18 +126,12 @@ class PropertyForm : public QWidget {
 
  private:
   QDoubleSpinBox* makeSpin(const NumberRange& range);
-  void onRefresh(std::function<void()> update);
 
   document::StudyDocument& document_;
   QFormLayout* layout_;
   std::vector<std::function<void()>> updates_;
   bool refreshing_ = false;
 };
-
-/// Rows of a source: position, target, sampler, shots. \param source asked for its name at every use
-void addSourceRows(PropertyForm& form, const std::function<std::string()>& source);
-/// Rows of a run: trials, seed, organ models.
-void addRunRows(PropertyForm& form);
 
 /// A number as people read it: at most `decimals` places, none of them idle.
 QString readable(double value, int decimals);

@@ -20,6 +20,7 @@
 
 #include "lorica/document/study_document.h"
 #include "lorica/jobs/frame_engine.h"
+#include "lorica/jobs/shot_inspector.h"
 
 namespace lorica::viewport {
 
@@ -44,6 +45,10 @@ class SceneView : public QWidget {
   /// Which shots of the frames are drawn, by what they met: "" all, "hits", "miss", "body", "armor", "organs" or
   /// a structure.
   void setShotFilter(const std::string& met);
+  /// Whether azimuth and elevation are drawn around the body while a source is selected; they are unless set.
+  void showCompass(bool on);
+  /// Marks a shot that is looked into; null: none.
+  void markShot(std::shared_ptr<const jobs::ShotInspection> inspection);
   /// Another frame is on its way: until it is shown, or for a while, what is drawn counts as in motion.
   void expectFrame();
   /// The next click places a shot source: on the body, it is put towards the viewer, as far from the body's middle as
@@ -51,6 +56,9 @@ class SceneView : public QWidget {
   /// and picked() says where. None: no more.
   void pickSource(const std::optional<geometry::Vec3d>& current);
   bool isPicking() const;
+  /// Where a place of the scene is seen in the first picture, in logical pixels of the view. \pre there is a frame, and
+  /// the place lies before the camera
+  QPointF placeOf(const geometry::Vec3d& place) const;
   /// What is on the screen, in full.
   QImage picture();
   /// Drawings that take longer than this in full are made coarse in motion, ms; 50 unless set.
@@ -61,6 +69,8 @@ class SceneView : public QWidget {
   void drawn(double ms, bool coarse);
   void picked(Eigen::Vector3d position);
   void pickCancelled();
+  /// A drawn shot was clicked that is one of a run's. \param name SOURCE:TRIAL:SHOT
+  void shotClicked(QString name);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -73,7 +83,8 @@ class SceneView : public QWidget {
   void showColours();
   void placeLegend();
   void fitTo(const geometry::Box3d& box);
-  void click(const QPointF& place);
+  void click(const QPointF& place, bool throughShots);
+  bool clickShot(std::size_t pane, double x, double y);
   void scheduleDrawing();
   void draw();
   void beginMotion(int restMs);
