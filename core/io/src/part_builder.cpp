@@ -197,8 +197,9 @@ std::optional<Part> buildPart(RawPart raw, const std::string& name, Reading& rea
   TriangleMesh mesh = floatMesh(raw, name, reading);
   const auto used = removeUnusedVertices(mesh);
   const std::size_t vertices = mesh.positions.size();
-  // Where weights may keep vertices apart, the mesh as it is may be needed again.
-  geometry::Welded welded = raw.influences > 0 ? geometry::weld(mesh) : geometry::weld(std::move(mesh));
+  // Weights may keep vertices apart that were welded, which is known only then.
+  const TriangleMesh unwelded = raw.influences > 0 ? mesh : TriangleMesh();
+  geometry::Welded welded = geometry::weld(std::move(mesh));
   const auto readWeights = [&](Reading& issues) {
     part.weights = used ? normalised(raw, rows(raw.weights, raw.influences, *used), *used, name, issues)
                         : normalised(raw, raw.weights, {}, name, issues);
@@ -218,7 +219,7 @@ std::optional<Part> buildPart(RawPart raw, const std::string& name, Reading& rea
   } else {
     if (raw.influences > 0) {
       readWeights(reading);
-      welded = geometry::weld(mesh, weightGroups(mesh.positions, *part.weights));
+      welded = geometry::weld(unwelded, weightGroups(unwelded.positions, *part.weights));
       keepRows(*part.weights, welded.sourceOf);
     }
     part.mesh = std::move(welded.mesh);
