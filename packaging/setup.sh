@@ -65,7 +65,7 @@ setup: Lorica needs
   a C++20 compiler (GCC 12), CMake 3.25, Ninja, pkg-config, git; ccache and mold where present
   Embree 3.13, tinygltf 2.7, TBB 2021, Eigen 3.4, VTK 9.1, nlohmann-json 3.11, CLI11 2.1, fmt 9, spdlog 1.10,
   OpenSSL 3 (libcrypto), libzip 1.7, Boost 1.74 (headers)
-  for the tests: GoogleTest 1.12, RapidCheck, Google Benchmark 1.7
+  for the tests: GoogleTest 1.12, RapidCheck, Google Benchmark 1.7; CGAL 5.5 (headers) for one ratio of the benchmarks
   for the window: Qt 6.4 (Widgets, OpenGLWidgets, Charts, Svg, PrintSupport, Test), meshoptimizer 0.18, Xvfb, Mesa,
   poppler-utils
 LIST

@@ -7,6 +7,7 @@
 
 #include "lorica/analysis/check.h"
 #include "lorica/analysis/export_pose.h"
+#include "lorica/analysis/hashed_model.h"
 #include "lorica/analysis/results.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
@@ -132,6 +133,18 @@ TEST_F(Import, AChangedInputIsRefusedUntilItIsAccepted) {
     EXPECT_NE(std::string(error.what()).find("--accept-inputs"), std::string::npos) << error.what();
   }
   EXPECT_NO_THROW(load(study::withCurrentHashes(study, wanted.studyFile), wanted.studyFile, {}));
+}
+
+TEST_F(Import, HashesAndReadsAFileAsOneAfterTheOther) {
+  const fs::path file = ball("heart", {0, 1, 0}, 0.1);
+  const HashedModel both = importHashed(file);
+  const io::Model alone = io::importModel(file);
+  EXPECT_EQ(both.sha256, study::sha256OfInput(file));
+  ASSERT_EQ(both.model.parts.size(), 1U);
+  EXPECT_EQ(both.model.parts[0].mesh.positions, alone.parts[0].mesh.positions);
+  EXPECT_EQ(both.model.parts[0].mesh.triangles, alone.parts[0].mesh.triangles);
+  EXPECT_THROW(importHashed(folder_ / "absent.ply"), base::InputError);
+  EXPECT_THROW(importHashed("/dev/zero"), base::InputError) << "a device never ends";
 }
 
 TEST_F(Import, ExportsOfTheRestPoseComeBackAsTheSameMeshes) {

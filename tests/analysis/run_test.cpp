@@ -73,16 +73,15 @@ TEST(Run, CutInPartsAndMergedGivesTheBytesOfTheWhole) {
            provenanceJson(sample(), result) + deformationCsv(deformationTables(sample(), result));
   };
   RunOptions options = quick();
-  options.shots = 10001;  // no multiple of any number of parts
+  options.poses = {"toe_touch@2"};
+  options.shots = 10001;  // no multiple of the number of parts
   const std::string whole = tables(run(sample(), options));
-  for (const std::uint32_t parts : {1U, 3U}) {
-    std::vector<RunResult> computed;
-    for (std::uint32_t p = 0; p < parts; ++p) {
-      options.part = {p, parts};
-      computed.push_back(run(sample(), options));
-    }
-    EXPECT_EQ(tables(merge(computed)), whole) << parts;
+  std::vector<RunResult> parts;
+  for (std::uint32_t p = 0; p < 3; ++p) {
+    options.part = {p, 3};
+    parts.push_back(run(sample(), options));
   }
+  EXPECT_EQ(tables(merge(parts)), whole);
 }
 
 TEST(Run, WithARuleForStoppingCannotBeCutInParts) {
@@ -100,12 +99,11 @@ TEST(Run, WithARuleForStoppingCannotBeCutInParts) {
 }
 
 TEST(Run, PartsOfAnotherCutAreNoWhole) {
-  RunOptions options = quick();
-  options.shots = 100;
-  options.part = {0, 2};
-  const RunResult half = run(sample(), options);
-  EXPECT_ANY_THROW(merge(std::vector{half}));
-  EXPECT_ANY_THROW(merge(std::vector{half, half}));
+  RunResult half;
+  half.part = {0, 2};
+  EXPECT_THROW(merge({}), base::CallerError);
+  EXPECT_THROW(merge(std::vector{half}), base::CallerError);
+  EXPECT_THROW(merge(std::vector{half, half}), base::CallerError);
 }
 
 TEST(Run, LeavesNoShotUnresolved) {

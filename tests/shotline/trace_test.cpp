@@ -207,7 +207,7 @@ TEST_F(Target, EveryShotOfEveryKindOfSourceIsSeenOnceWithItsOwnRay) {
   band.azimuth = {0.0, 6.28};
   band.elevation = {-0.2, 0.2};
   // Shots that are all alike give an order nothing to hold on to.
-  const std::vector<raycast::Ray> alike(9000, {Vec3f(0, 0, 8), Vec3f(0, 0, -1)});
+  const std::vector<raycast::Ray> alike(9000, {Vec3f(0, 0, 8), Vec3f(0.03F, 0.02F, -1)});
   ShotList list;
   list.rays = std::make_shared<const std::vector<raycast::Ray>>(alike);
   for (const Source& source : {source_, Source{"beam", beam}, Source{"band", band}, Source{"list", list},

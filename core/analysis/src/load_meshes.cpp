@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <exception>
 
 #include "lorica/base/error.h"
@@ -89,22 +88,25 @@ io::ImportOptions optionsOf(const study::InputFile& input) {
 }  // namespace
 
 HashedModel importHashed(const std::filesystem::path& path, const io::ImportOptions& options) {
+  const std::string bytes = study::readInput(path);
   HashedModel result;
-  std::array<std::exception_ptr, 2> failures;
+  std::exception_ptr ofModel;
+  std::exception_ptr ofHash;
   base::parallelFor(2, 1, {}, [&](std::size_t begin, std::size_t end) {
     for (std::size_t task = begin; task < end; ++task) {
       try {
+        // The longer one is begun first.
         if (task == 0) {
-          result.sha256 = study::sha256OfInput(path);
+          result.model = io::importModel(path, bytes, options);
         } else {
-          result.model = io::importModel(path, options);
+          result.sha256 = study::sha256OfInput(path, bytes);
         }
       } catch (const base::Error&) {
-        failures[task] = std::current_exception();
+        (task == 0 ? ofModel : ofHash) = std::current_exception();
       }
     }
   });
-  for (const std::exception_ptr& failure : failures) {
+  for (const std::exception_ptr& failure : {ofHash, ofModel}) {
     if (failure) {
       std::rethrow_exception(failure);
     }

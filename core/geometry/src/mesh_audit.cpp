@@ -38,12 +38,74 @@ class Forest {
   std::vector<std::uint32_t> parent_;
 };
 
+/// Where the sides of all triangles with the same lower vertex stand together: per vertex, the place of its first; one
+/// more at the end, and a spare one.
+class Buckets {
+ public:
+  explicit Buckets(const TriangleMesh& mesh) : begin_(mesh.positions.size() + 2, 0) {
+    // Counted two places on, so that filling a bucket moves its place to where the next one begins.
+    for (const Triangle& t : mesh.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        ++begin_[std::min(t[k], t[(k + 1) % 3]) + std::size_t{2}];
+      }
+    }
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  }
+  /// Calls `put(place, triangle, side, from, to)` for every side. Once.
+  template <class Put>
+  void fill(const TriangleMesh& mesh, const Put& put) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = mesh.triangles[t][k];
+        const std::uint32_t to = mesh.triangles[t][(k + 1) % 3];
+        put(begin_[std::min(from, to) + std::size_t{1}]++, t, k, from, to);
+      }
+    }
+  }
+  std::size_t vertices() const { return begin_.size() - 2; }
+  std::size_t begin(std::size_t vertex) const { return begin_[vertex]; }
+  std::size_t size(std::size_t vertex) const { return begin_[vertex + 1] - begin_[vertex]; }
+
+ private:
+  std::vector<std::uint32_t> begin_;
+};
+
+/// Whether every edge is used twice, once each way: so is any closed surface without flaws, and of such a one nothing
+/// else needs to be known. An audit spends its time here, so a side takes four bytes.
+bool everyEdgeIsPaired(const TriangleMesh& mesh) {
+  constexpr std::size_t mostSides = 1U << 16U;  // at a vertex; more would spill from one half of a tally to the other
+  if (mesh.positions.size() > UINT32_MAX / 2) {
+    return false;
+  }
+  Buckets buckets(mesh);
+  const auto ends = std::make_unique_for_overwrite<std::uint32_t[]>(3 * mesh.triangles.size());
+  buckets.fill(mesh, [&](std::size_t place, std::size_t /*triangle*/, std::size_t /*side*/, std::uint32_t from,
+                         std::uint32_t to) { ends[place] = 2 * std::max(from, to) + (from < to ? 1 : 0); });
+  // Uses of an edge in the low half, those from its lower vertex less those to it in the high one.
+  std::vector<std::uint32_t> tallies(buckets.vertices(), 0);
+  bool paired = true;
+  for (std::size_t v = 0; v < buckets.vertices() && paired; ++v) {
+    const std::span<const std::uint32_t> bucket(ends.get() + buckets.begin(v), buckets.size(v));
+    for (const std::uint32_t end : bucket) {
+      tallies[end / 2] += 1U + (((end % 2) * 2U - 1U) << 16U);
+    }
+    paired = bucket.size() < mostSides;
+    for (const std::uint32_t end : bucket) {
+      paired = paired && tallies[end / 2] == 2;
+    }
+    for (const std::uint32_t end : bucket) {
+      tallies[end / 2] = 0;  // so that the next vertex finds nothing
+    }
+  }
+  return paired;
+}
+
 /// The sides of all triangles, those with the same lower vertex together.
 class HalfEdges {
  public:
   struct HalfEdge {
     std::uint32_t high;        // the higher vertex
-    std::uint32_t sideAndWay;  // packed: the array is what an audit spends its time on; odd: from the lower vertex
+    std::uint32_t sideAndWay;  // odd: from the lower vertex
 
     HalfEdge() = default;
     HalfEdge(std::uint32_t higher, std::size_t side, bool fromLower)
@@ -53,24 +115,12 @@ class HalfEdges {
     std::int64_t tally() const { return 1 + ((std::int64_t{sideAndWay % 2} * 2 - 1) << 32U); }
   };
 
-  explicit HalfEdges(const TriangleMesh& mesh)
-      : begin_(mesh.positions.size() + 2, 0),
-        edges_(std::make_unique_for_overwrite<HalfEdge[]>(3 * mesh.triangles.size())) {
+  explicit HalfEdges(const TriangleMesh& mesh) : buckets_(mesh), edges_(3 * mesh.triangles.size()) {
     LORICA_CHECK(mesh.triangles.size() < UINT32_MAX / 6, "sides are counted in 31 bits");
-    // Counted two places on, so that filling a bucket moves its place to where the next one begins.
-    for (const Triangle& t : mesh.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        ++begin_[std::min(t[k], t[(k + 1) % 3]) + std::size_t{2}];
-      }
-    }
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t from = mesh.triangles[t][k];
-        const std::uint32_t to = mesh.triangles[t][(k + 1) % 3];
-        edges_[begin_[std::min(from, to) + std::size_t{1}]++] = {std::max(from, to), 3 * t + k, from < to};
-      }
-    }
+    buckets_.fill(mesh,
+                  [&](std::size_t place, std::size_t triangle, std::size_t side, std::uint32_t from, std::uint32_t to) {
+                    edges_[place] = {std::max(from, to), 3 * triangle + side, from < to};
+                  });
   }
 
   /// What the edges say of the surface.
@@ -82,9 +132,9 @@ class HalfEdges {
 
   Verdict judge() const {
     Verdict verdict;
-    std::vector<Tally> tallies(begin_.size() - 2, 0);  // of the edges from one lower vertex, per higher vertex
-    for (std::size_t v = 0; v + 2 < begin_.size(); ++v) {
-      const std::span<const HalfEdge> bucket(edges_.get() + begin_[v], begin_[v + 1] - begin_[v]);
+    std::vector<Tally> tallies(buckets_.vertices(), 0);  // of the edges from one lower vertex, per higher vertex
+    for (std::size_t v = 0; v < buckets_.vertices(); ++v) {
+      const std::span<const HalfEdge> bucket(edges_.data() + buckets_.begin(v), buckets_.size(v));
       for (const HalfEdge& edge : bucket) {
         tallies[edge.high] += edge.tally();
       }
@@ -121,8 +171,8 @@ class HalfEdges {
     }
   }
 
-  std::vector<std::uint32_t> begin_;  // per vertex, into edges_; the last entry is spare
-  std::unique_ptr<HalfEdge[]> edges_;
+  Buckets buckets_;
+  std::vector<HalfEdge> edges_;
 };
 
 /// The closed components that may contain others: their boxes, and their triangles when they are asked for.
@@ -228,7 +278,7 @@ MeshAudit audit(const TriangleMesh& mesh) {
     for (std::size_t task = begin; task < end; ++task) {
       if (task == 0) {
         measureComponents(mesh, result);
-      } else {
+      } else if (!everyEdgeIsPaired(mesh)) {
         edges = HalfEdges(mesh).judge();
       }
     }

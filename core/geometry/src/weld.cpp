@@ -1,6 +1,7 @@
 #include "lorica/geometry/weld.h"
 
 #include <bit>
+#include <utility>
 
 #include "lorica/base/error.h"
 
@@ -23,38 +24,43 @@ std::size_t hash(const Vec3f& p, std::uint32_t group) {
 
 }  // namespace
 
-Welded weld(const TriangleMesh& mesh, std::span<const std::uint32_t> group) {
+Welded weld(TriangleMesh mesh, std::span<const std::uint32_t> group) {
   LORICA_CHECK(group.empty() || group.size() == mesh.positions.size(), "one group per vertex");
   constexpr std::uint32_t empty = UINT32_MAX;
   const auto groupOf = [&](std::size_t v) { return group.empty() ? 0U : group[v]; };
   Welded result;
-  result.mesh.positions.reserve(mesh.positions.size());
-  result.sourceOf.reserve(mesh.positions.size());
+  std::vector<std::uint32_t>& sourceOf = result.sourceOf;
+  sourceOf.reserve(mesh.positions.size());
   std::vector<std::uint32_t> keptAs(mesh.positions.size());
   std::vector<std::uint32_t> slots(std::bit_ceil(2 * mesh.positions.size() + 1), empty);  // open addressing
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const Vec3f& p = mesh.positions[v];
     std::size_t at = hash(p, groupOf(v)) & (slots.size() - 1);
     while (slots[at] != empty &&
-           (result.mesh.positions[slots[at]] != p || groupOf(result.sourceOf[slots[at]]) != groupOf(v))) {
+           (mesh.positions[sourceOf[slots[at]]] != p || groupOf(sourceOf[slots[at]]) != groupOf(v))) {
       at = (at + 1) & (slots.size() - 1);
     }
     if (slots[at] == empty) {
-      slots[at] = static_cast<std::uint32_t>(result.sourceOf.size());
-      result.sourceOf.push_back(static_cast<std::uint32_t>(v));
-      result.mesh.positions.push_back(p);
+      slots[at] = static_cast<std::uint32_t>(sourceOf.size());
+      sourceOf.push_back(static_cast<std::uint32_t>(v));
     }
     keptAs[v] = slots[at];
   }
-  result.mesh.triangles.reserve(mesh.triangles.size());
+  // Kept vertices and triangles move down within their arrays.
+  for (std::size_t kept = 0; kept < sourceOf.size() && sourceOf.size() < mesh.positions.size(); ++kept) {
+    mesh.positions[kept] = mesh.positions[sourceOf[kept]];
+  }
+  mesh.positions.resize(sourceOf.size(), Vec3f::Zero());
+  std::size_t whole = 0;
   for (const Triangle& triangle : mesh.triangles) {
     const Triangle welded{keptAs[triangle[0]], keptAs[triangle[1]], keptAs[triangle[2]]};
-    if (welded[0] == welded[1] || welded[1] == welded[2] || welded[2] == welded[0]) {
-      ++result.droppedTriangles;
-    } else {
-      result.mesh.triangles.push_back(welded);
+    if (welded[0] != welded[1] && welded[1] != welded[2] && welded[2] != welded[0]) {
+      mesh.triangles[whole++] = welded;
     }
   }
+  result.droppedTriangles = mesh.triangles.size() - whole;
+  mesh.triangles.resize(whole);
+  result.mesh = std::move(mesh);
   return result;
 }
 

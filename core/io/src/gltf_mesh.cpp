@@ -36,11 +36,16 @@ std::vector<std::uint32_t> cornersOf(const AccessorReader& accessors, const Prim
     return corners;
   }
   corners = accessors.integers(primitive.source.indices, Shape::scalar, true, primitive.place + ", indices");
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (corners[i] >= vertices) {
-      reading.fail(fmt::format("{}, indices, accessor {}", primitive.place, primitive.source.indices),
-                   fmt::format("index {} is {}, but the primitive has {} vertices", i, corners[i], vertices));
-    }
+  std::uint32_t highest = 0;
+  for (const std::uint32_t corner : corners) {
+    highest = std::max(highest, corner);
+  }
+  if (highest >= vertices) {
+    const auto first =
+        std::find_if(corners.begin(), corners.end(), [&](std::uint32_t corner) { return corner >= vertices; });
+    reading.fail(
+        fmt::format("{}, indices, accessor {}", primitive.place, primitive.source.indices),
+        fmt::format("index {} is {}, but the primitive has {} vertices", first - corners.begin(), *first, vertices));
   }
   return corners;
 }
@@ -59,8 +64,8 @@ void appendTriangles(std::vector<Triangle>& triangles, const Primitive& primitiv
     }
     const std::size_t before = triangles.size();
     triangles.resize(before + corners.size() / 3);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      triangles[before + i / 3][i % 3] = corners[i];
+    for (std::size_t t = 0; t < corners.size() / 3; ++t) {
+      triangles[before + t] = {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]};
     }
   }
 }
@@ -189,8 +194,8 @@ class MeshReader {
     extras_.morphTargets = extras_.morphTargets || !primitive.source.targets.empty();
     const VertexRange range = vertices(primitive);
     std::vector<std::uint32_t> corners = cornersOf(accessors_, primitive, range.count, reading_);
-    for (std::uint32_t& corner : corners) {
-      corner += range.first;
+    for (std::size_t i = 0; range.first > 0 && i < corners.size(); ++i) {
+      corners[i] += range.first;
     }
     appendTriangles(part_.triangles, primitive, corners, reading_);
   }

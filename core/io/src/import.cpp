@@ -68,7 +68,10 @@ Format formatOf(std::string_view bytes, const Reading& reading) {
 }  // namespace
 
 Model importModel(const std::filesystem::path& path, const ImportOptions& options) {
-  const std::string bytes = base::readFile(path);
+  return importModel(path, base::readFile(path), options);
+}
+
+Model importModel(const std::filesystem::path& path, std::string_view bytes, const ImportOptions& options) {
   Reading reading(path);
   const Format format = formatOf(bytes, reading);
   return finish(format.read(bytes, reading), format.frame, options, reading);

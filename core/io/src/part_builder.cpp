@@ -25,21 +25,22 @@ constexpr double weldedWeights = 1e-3;  // sum of differences up to which two ve
 
 /// Removes the vertices that no triangle uses; the old index of each one that stays, or nothing when all stay.
 std::optional<std::vector<std::uint32_t>> removeUnusedVertices(TriangleMesh& mesh) {
-  std::vector<std::uint32_t> newIndex(mesh.positions.size(), 0);
+  std::vector<char> used(mesh.positions.size(), 0);
   for (const Triangle& triangle : mesh.triangles) {
     for (const std::uint32_t vertex : triangle) {
-      newIndex[vertex] = 1;
+      used[vertex] = 1;
     }
   }
+  if (std::find(used.begin(), used.end(), 0) == used.end()) {
+    return std::nullopt;
+  }
+  std::vector<std::uint32_t> newIndex(used.size(), 0);
   std::vector<std::uint32_t> kept;
-  for (std::size_t v = 0; v < newIndex.size(); ++v) {
-    if (newIndex[v] != 0) {
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v] != 0) {
       newIndex[v] = static_cast<std::uint32_t>(kept.size());
       kept.push_back(static_cast<std::uint32_t>(v));
     }
-  }
-  if (kept.size() == mesh.positions.size()) {
-    return std::nullopt;
   }
   Positions positions;
   positions.reserve(kept.size());
@@ -195,12 +196,15 @@ std::optional<Part> buildPart(RawPart raw, const std::string& name, Reading& rea
   part.protects = raw.protects;
   TriangleMesh mesh = floatMesh(raw, name, reading);
   const auto used = removeUnusedVertices(mesh);
-  geometry::Welded welded = geometry::weld(mesh);
+  const std::size_t vertices = mesh.positions.size();
+  // Weights may keep vertices apart that were welded, which is known only then.
+  const TriangleMesh unwelded = raw.influences > 0 ? mesh : TriangleMesh();
+  geometry::Welded welded = geometry::weld(std::move(mesh));
   const auto readWeights = [&](Reading& issues) {
     part.weights = used ? normalised(raw, rows(raw.weights, raw.influences, *used), *used, name, issues)
                         : normalised(raw, raw.weights, {}, name, issues);
   };
-  if (raw.influences > 0 && welded.sourceOf.size() == mesh.positions.size()) {
+  if (raw.influences > 0 && welded.sourceOf.size() == vertices) {
     // Nothing to weld, as in most skins: the weights do not bear on the surface.
     Reading ofWeights = reading.branch();
     Reading ofSurface = reading.branch();
@@ -215,7 +219,7 @@ std::optional<Part> buildPart(RawPart raw, const std::string& name, Reading& rea
   } else {
     if (raw.influences > 0) {
       readWeights(reading);
-      welded = geometry::weld(mesh, weightGroups(mesh.positions, *part.weights));
+      welded = geometry::weld(unwelded, weightGroups(unwelded.positions, *part.weights));
       keepRows(*part.weights, welded.sourceOf);
     }
     part.mesh = std::move(welded.mesh);

@@ -23,8 +23,12 @@ std::uint32_t spread(std::uint32_t v) {
 
 constexpr unsigned bucketBits = 11;
 constexpr std::uint32_t buckets = 1U << bucketBits;
-/// Shots that one thread makes and puts in their places at a time.
-constexpr std::size_t shotsPerPart = 16384;
+
+/// How many of `shots` one thread takes at a time: within bounds, few enough for all threads to have some.
+std::size_t shareOf(std::size_t shots, base::Threads threads, std::size_t least, std::size_t most) {
+  const auto crew = static_cast<std::size_t>(threads.count > 0 ? threads.count : base::machineThreads());
+  return std::clamp(shots / (4 * crew), least, most);
+}
 
 std::uint32_t upper(std::uint32_t key) {
   return key >> bucketBits;
@@ -119,7 +123,8 @@ class KeyMaker {
 };
 
 /// Makes the shots of a block. Returns what bounds them.
-RayBounds makeRays(const ShotGenerator& shots, std::uint64_t first, std::span<Ray> rays, base::Threads threads) {
+RayBounds makeRays(const ShotGenerator& shots, std::uint64_t first, std::span<Ray> rays, std::size_t shotsPerPart,
+                   base::Threads threads) {
   const std::size_t parts = (rays.size() + shotsPerPart - 1) / shotsPerPart;
   std::vector<RayBounds> bounds(parts);
   base::parallelFor(parts, 1, threads, [&](std::size_t begin, std::size_t end) {
@@ -149,7 +154,9 @@ void CoherentBlock::load(const ShotGenerator& shots, const ShotRange& range, bas
   rays_.resize(count);
   keys_.resize(count);
   placed_.resize(count);
-  const KeyMaker keyOf(makeRays(shots, first_, rays_, threads));
+  shotsPerSlice_ = shareOf(count, threads, 512, 4096);
+  const std::size_t shotsPerPart = shareOf(count, threads, 4096, 16384);
+  const KeyMaker keyOf(makeRays(shots, first_, rays_, shotsPerPart, threads));
   const std::size_t parts = (count + shotsPerPart - 1) / shotsPerPart;
   starts_.assign(parts * buckets, 0);
   const auto overParts = [&](const auto& use) {
@@ -179,8 +186,8 @@ void CoherentBlock::load(const ShotGenerator& shots, const ShotRange& range, bas
 }
 
 void CoherentSlice::load(const CoherentBlock& block, std::size_t index) {
-  const std::size_t begin = index * CoherentBlock::shotsPerSlice;
-  const std::size_t count = std::min(CoherentBlock::shotsPerSlice, block.placed_.size() - begin);
+  const std::size_t begin = index * block.shotsPerSlice_;
+  const std::size_t count = std::min(block.shotsPerSlice_, block.placed_.size() - begin);
   const std::span<const CoherentBlock::Placed> placed = std::span(block.placed_).subspan(begin, count);
   keys_.resize(count);
   order_.resize(count);

@@ -82,7 +82,7 @@ std::string percentDecoded(std::string_view uri) {
 }
 
 /// Files the buffers of a .gltf are in, in their order.
-std::vector<fs::path> bufferFiles(const fs::path& path, const std::string& gltf) {
+std::vector<fs::path> bufferFiles(const fs::path& path, std::string_view gltf) {
   const nlohmann::json tree = nlohmann::json::parse(gltf, nullptr, false);
   if (!tree.is_object()) {
     throw base::InputError(path.string(), "", "is not a glTF file: its content is not a JSON object");
@@ -144,8 +144,15 @@ std::string sha256(std::string_view bytes) {
   return sum.hexadecimal();
 }
 
+std::string readInput(const fs::path& path) {
+  return readInput(path, "put it back or correct the path in the study");
+}
+
 std::string sha256OfInput(const fs::path& path) {
-  const std::string bytes = readInput(path, "put it back or correct the path in the study");
+  return sha256OfInput(path, readInput(path));
+}
+
+std::string sha256OfInput(const fs::path& path, std::string_view bytes) {
   Sha256 sum;
   sum.add(bytes);
   if (isGltf(path)) {

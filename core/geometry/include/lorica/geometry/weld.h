@@ -16,7 +16,7 @@ struct Welded {
 /// Joins vertices at exactly the same position (0 and -0 are the same), as files split them by normals or texture
 /// coordinates. Vertices with different `group` values stay apart; an empty span means one group.
 /// \pre group is empty or has one entry per vertex
-/// Cost: one hash lookup per vertex.
-Welded weld(const TriangleMesh& mesh, std::span<const std::uint32_t> group = {});
+/// Cost: one hash lookup per vertex; the arrays of `mesh` become those of the result.
+Welded weld(TriangleMesh mesh, std::span<const std::uint32_t> group = {});
 
 }  // namespace lorica::geometry

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lorica/base/issue.h"
@@ -51,5 +52,7 @@ struct Model {
 /// below a joint is tied to that joint. The result does not depend on the number of threads. Thread-safe. Cost: a few
 /// times that of parsing the file. \throw base::InputError naming the file and the place
 Model importModel(const std::filesystem::path& path, const ImportOptions& options = {});
+/// The same of a file whose bytes were read already.
+Model importModel(const std::filesystem::path& path, std::string_view bytes, const ImportOptions& options);
 
 }  // namespace lorica::io

@@ -29,11 +29,11 @@ class CoherentBlock {
  public:
   /// Large blocks run more coherent rays, small ones take less memory (60 bytes a shot).
   static constexpr std::uint64_t mostShots = std::uint64_t{1} << 19;
-  static constexpr std::size_t shotsPerSlice = 4096;
 
   /// \pre range.count <= mostShots
   void load(const ShotGenerator& shots, const ShotRange& range, base::Threads threads);
-  std::size_t slices() const { return (placed_.size() + shotsPerSlice - 1) / shotsPerSlice; }
+  /// As many as keep all threads busy.
+  std::size_t slices() const { return (placed_.size() + shotsPerSlice_ - 1) / shotsPerSlice_; }
 
  private:
   friend class CoherentSlice;
@@ -43,6 +43,7 @@ class CoherentBlock {
     std::uint32_t number;  ///< after the first
   };
   std::uint64_t first_ = 0;
+  std::size_t shotsPerSlice_ = 1;
   std::vector<raycast::Ray> rays_;
   std::vector<std::uint32_t> keys_;
   std::vector<std::uint32_t> starts_;  ///< where each part of the rays puts those of each bucket

@@ -47,6 +47,10 @@ Study withCurrentHashes(const Study& study, const std::filesystem::path& studyFi
 /// SHA-256 of a file's bytes, lower-case hexadecimal. For a .gltf, over its bytes followed by those of every buffer
 /// file it names, in order; data: uris are part of its own bytes. \throw base::InputError
 std::string sha256OfInput(const std::filesystem::path& path);
+/// The same of a file whose own bytes were read already.
+std::string sha256OfInput(const std::filesystem::path& path, std::string_view bytes);
+/// The bytes of an input file. \throw base::InputError when there is none, or it is no regular file
+std::string readInput(const std::filesystem::path& path);
 /// SHA-256 of bytes, lower-case hexadecimal.
 std::string sha256(std::string_view bytes);
 
