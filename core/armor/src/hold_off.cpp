@@ -85,6 +85,18 @@ bool isOver(const Triangle& corners, const Lift& lift, const Vec3f& p, std::span
   return true;
 }
 
+/// Whether the skin about a foot rises towards a vertex, as in a crease; looked at in a third of the places.
+bool skinRises(const PieceRig& piece, const SkinFoot& foot, const Lift& own, std::span<const Vec3f> skin) {
+  constexpr float near = 0.0025F;  // m below the vertex
+  const Vec3f& a = skin[foot.corners[0]];
+  for (std::size_t t = foot.aboutFirst; t < foot.aboutBehind; t += 3) {
+    if (own.normal.dot(skin[piece.about[t][0]] - a) > own.height - near) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// What takes a vertex as far off the skin as it should be.
 Vec3f neededLift(const PieceRig& piece, const SkinFoot& foot, const Vec3f& p, std::span<const Vec3f> skin) {
   const Lift own = liftOver(foot.corners, p, skin);
@@ -92,6 +104,9 @@ Vec3f neededLift(const PieceRig& piece, const SkinFoot& foot, const Vec3f& p, st
   Vec3f needed = Vec3f::Zero();
   if (missing > 0.0F && missing < 2.0F * kSunk) {
     needed = std::min(missing, 2.0F * kSunk - missing) * own.normal;
+  }
+  if (!skinRises(piece, foot, own, skin)) {
+    return needed;
   }
   float most = needed.norm();
   for (std::size_t t = foot.aboutFirst; t < foot.aboutBehind; ++t) {
