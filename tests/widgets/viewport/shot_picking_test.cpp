@@ -67,7 +67,7 @@ void expectEachIsFound(const std::vector<DrawnShot>& shots, const Vec3d& eye) {
       EXPECT_EQ(*found, i);
     }
   }
-  EXPECT_GT(alone, 20);
+  EXPECT_GT(alone, 10) << "few shots are alone at their ends";
 }
 
 TEST(ScreenView, TheAxisOfTheCameraIsTheMiddleOfTheScreen) {

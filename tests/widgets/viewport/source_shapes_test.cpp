@@ -65,7 +65,8 @@ TEST(SourceShape, TheRectangleStandsLevelAcrossTheLineOfAimInItsOwnSize) {
 }
 
 TEST(SourceShape, TheDiskHasItsRadius) {
-  for (const Vec3d& point : shapeOf(pointAt({3, 2, 4}, Sampler::disk), aim, radius).lines.back()) {
+  const SourceShape shape = shapeOf(pointAt({3, 2, 4}, Sampler::disk), aim, radius);
+  for (const Vec3d& point : shape.lines.back()) {
     EXPECT_NEAR((point - aim).norm(), 0.3, 1e-12);
   }
 }
