@@ -166,7 +166,7 @@ TEST(StopRule, EndsWhereTheTrialsOfAGridDoNotDiffer) {
   study.study.sources[0].sequence = study::Sequence::grid;
   study.study.sources[0].cell = 0.02;
   // From behind nothing of the spleen is open under the vest, in any trial.
-  study.study.sources[0].azimuth = 180.0;
+  study.study.sources[0].azimuth = {180.0, 180.0};
   study.study.stop = study::StopRule{{"kidney_left"}, 0.05, 40};
   const RunResult result = run(study, options);
   EXPECT_LT(result.results[0].trials.size(), 40U);
