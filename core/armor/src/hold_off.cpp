@@ -134,12 +134,32 @@ std::vector<Vec3f> neededLifts(const PieceRig& piece, std::span<const Vec3f> ski
   return lifts;
 }
 
+/// Adds the neighbours of some vertices to them. \param known whether a vertex is among them
+void growByRing(const geometry::SurfaceNeighbours& around, std::vector<std::uint32_t>& vertices,
+                std::vector<char>& known) {
+  for (std::size_t i = 0, inner = vertices.size(); i < inner; ++i) {
+    for (std::size_t e = around.first[vertices[i]]; e < around.first[vertices[i] + 1]; ++e) {
+      const std::uint32_t next = around.vertex[e];
+      if (known[next] == 0) {
+        known[next] = 1;
+        vertices.push_back(next);
+      }
+    }
+  }
+}
+
 /// Spreads the lifts over what surrounds them; each stays as long as it was along its own way.
-void spread(const geometry::SurfaceNeighbours& around, std::vector<Vec3f>& lifts) {
+/// \param lifted vertices with a lift; all that were reached on return
+void spread(const geometry::SurfaceNeighbours& around, std::vector<std::uint32_t>& lifted, std::vector<Vec3f>& lifts) {
   const std::vector<Vec3f> needed = lifts;
-  std::vector<Vec3f> smoother(lifts.size());
+  std::vector<Vec3f> smoother(lifts.size(), Vec3f::Zero());
+  std::vector<char> known(lifts.size(), 0);
+  for (const std::uint32_t v : lifted) {
+    known[v] = 1;
+  }
   for (int round = 0; round < 3; ++round) {
-    for (std::size_t v = 0; v < lifts.size(); ++v) {
+    growByRing(around, lifted, known);
+    for (const std::uint32_t v : lifted) {
       Vec3f mean = Vec3f::Zero();
       for (std::size_t e = around.first[v]; e < around.first[v + 1]; ++e) {
         mean += static_cast<float>(around.share[e]) * lifts[around.vertex[e]];
@@ -192,11 +212,17 @@ void setFeet(PieceRig& piece, std::span<const std::uint32_t> triangles, std::spa
 
 void holdOff(const PieceRig& piece, std::span<const Vec3f> skin, std::span<Vec3f> posed, base::Threads threads) {
   std::vector<Vec3f> lifts = neededLifts(piece, skin, posed, threads);
-  if (std::all_of(lifts.begin(), lifts.end(), [](const Vec3f& lift) { return lift.isZero(0.0F); })) {
+  std::vector<std::uint32_t> lifted;
+  for (std::uint32_t v = 0; v < lifts.size(); ++v) {
+    if (!lifts[v].isZero(0.0F)) {
+      lifted.push_back(v);
+    }
+  }
+  if (lifted.empty()) {
     return;
   }
-  spread(piece.around, lifts);
-  for (std::size_t v = 0; v < posed.size(); ++v) {
+  spread(piece.around, lifted, lifts);
+  for (const std::uint32_t v : lifted) {
     posed[v] += lifts[v];
   }
 }
