@@ -98,9 +98,11 @@ double RunController::totalShots(const study::Study& study, const document::RunP
     const study::Source& source = study.sources[i];
     const bool ownNumber = source.type == study::SourceType::list || source.sequence == study::Sequence::grid;
     const bool planned = plan != nullptr && i < plan->result.sources.size();
-    perPose += static_cast<double>(ownNumber && planned ? plan->result.sources[i].shots : source.shots);
+    const double shots = static_cast<double>(ownNumber && planned ? plan->result.sources[i].shots : source.shots);
+    // A list is the same in every trial, so it is shot once.
+    perPose += source.type == study::SourceType::list ? shots : shots * study.trials;
   }
-  return perPose * study.trials * static_cast<double>(analysis::defaultPoses(study).size());
+  return perPose * static_cast<double>(analysis::defaultPoses(study).size());
 }
 
 SpeedEstimate measureSpeed(const analysis::LoadedStudy& study, const base::Progress& progress) {

@@ -384,8 +384,13 @@ class SourceRows {
     } else {
       text = source.type == Type::point ? Text::tr("solid angle") : Text::tr("presented area");
     }
-    const bool ownNumber = source.type == Type::list || source.sequence == study::Sequence::grid;
-    return ownNumber && planned != nullptr
+    if (planned == nullptr) {
+      return text;
+    }
+    if (source.type == Type::list) {
+      return Text::tr("%1; %2 shots, shot once").arg(text, models::grouped(planned->shots));
+    }
+    return source.sequence == study::Sequence::grid
                ? Text::tr("%1; %2 shots per trial").arg(text, models::grouped(planned->shots))
                : text;
   }

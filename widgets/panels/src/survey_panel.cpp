@@ -259,6 +259,8 @@ MapData SurveyPanel::mapData() const {
   made.title = open ? tr("Unprotected area") : tr("Coverage");
   made.unit = open ? QStringLiteral(" cm²") : QStringLiteral(" %");
   made.highest = open ? 0.0 : 100.0;
+  std::vector<double> badness;  // per cell, as directions.csv marks the worst
+  bool covers = false;
   for (const jobs::DirectionRows& here : survey_->directions) {
     if (run_->result.poses[here.pose] != chosen(*pose_)) {
       continue;
@@ -281,13 +283,12 @@ MapData SurveyPanel::mapData() const {
                                               models::grouped(row->count.any), models::grouped(row->shots))
                                    : tr("no shot hits it from there"));
     made.highest = open ? std::max(made.highest, cell.value.value_or(0.0)) : made.highest;
+    covers = covers || row->count.shielded > 0;
+    badness.push_back(open ? openArea : row->coverage() ? -row->coverageInterval()->high : -1.0);
     made.cells.push_back(std::move(cell));
   }
-  for (std::size_t i = 0; i < made.cells.size(); ++i) {
-    const auto& value = made.cells[i].value;
-    const bool worse =
-        value &&
-        (!made.mark || (open ? *value > *made.cells[*made.mark].value : *value < *made.cells[*made.mark].value));
+  for (std::size_t i = 0; covers && i < made.cells.size(); ++i) {
+    const bool worse = made.cells[i].value && (!made.mark || badness[i] > badness[*made.mark]);
     made.mark = worse ? std::optional(i) : made.mark;
   }
   if (made.mark) {
