@@ -100,6 +100,7 @@ std::vector<Place> innerFace(std::span<const Facet> facets, const Mat3d& axes) {
     }
   }
   std::vector<Place> places;
+  places.reserve(cells.size());
   for (const auto& [at, place] : cells) {
     places.push_back({place.middle / place.area, place.area});
   }

@@ -11,7 +11,7 @@
 namespace lorica::armor {
 
 /// Finds the skin under a plate, as PieceRig::under. Leaves it empty where too little of it is there to hold a plate.
-/// \param plate at rest, outside the skin
+/// \param plate at rest, outside the skin; its face has an area
 void findUnder(PieceRig& piece, const geometry::TriangleMesh& plate, const parenting::BodyRig& body);
 
 /// How the skin of a pose carries what lies over `piece.under`: the exact identity where it has not moved, nothing
