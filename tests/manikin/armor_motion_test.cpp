@@ -52,8 +52,8 @@ struct Wearer {
       for (const ArmorPiece& piece : system.pieces) {
         pieces.push_back({&piece, armor::bindPiece(piece.mesh, piece.name, piece.carriage, rig,
                                                    piece.weights ? &*piece.weights : nullptr,
-                                                   piece.weights ? &body.skeleton : nullptr, kTwo, piece.carriedAt,
-                                                   armor::SoftFit::heldOff)});
+                                                   piece.weights ? &body.skeleton : nullptr, kTwo,
+                                                   carrierOf(system, piece), armor::SoftFit::heldOff)});
       }
     }
   }

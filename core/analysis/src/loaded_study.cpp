@@ -250,8 +250,13 @@ void loadSoftBody(Loading& loading, const LoadOptions& options, const base::Prog
                                                               loading.threads, progress);
 }
 
+struct BuiltinPiece {
+  const manikin::ArmorSystem& system;
+  const manikin::ArmorPiece& piece;
+};
+
 /// A piece of the built-in human's armor, made to its measure.
-const manikin::ArmorPiece& builtinPiece(Loading& loading, const Builtin& builtin, const std::string& place) {
+BuiltinPiece builtinPiece(Loading& loading, const Builtin& builtin, const std::string& place) {
   std::vector<std::string> names;
   for (const manikin::ArmorSystem& system : builtinHuman(loading, {}).systems) {
     for (const manikin::ArmorPiece& piece : system.pieces) {
@@ -260,7 +265,7 @@ const manikin::ArmorPiece& builtinPiece(Loading& loading, const Builtin& builtin
         if (!piece.protecting) {
           loading.fail(place + "/builtin", fmt::format("\"{}\" does not protect, so it is no piece of armor", name));
         }
-        return piece;
+        return {system, piece};
       }
       if (piece.protecting) {
         names.push_back(name);
@@ -331,14 +336,17 @@ LoadedPiece loadPiece(Loading& loading, const study::ArmorPiece& piece, const st
   LoadedPiece loaded;
   loaded.name = piece.name;
   if (const auto* builtin = std::get_if<Builtin>(&piece.mesh.from)) {
-    const bool plate = builtin->name == "front_plate" || builtin->name == "back_plate";
-    const manikin::ArmorPiece* made = plate ? nullptr : &builtinPiece(loading, *builtin, place);
-    geometry::TriangleMesh mesh = plate ? loadPlate(loading, piece, *builtin, loaded.issues) : made->mesh;
-    const bool weighted = made != nullptr && made->weights.has_value();
-    loaded.rig = armor::bindPiece(std::move(mesh), piece.name, piece.carriage, *loading.result.body,
-                                  weighted ? &*made->weights : nullptr,
-                                  weighted ? &builtinHuman(loading, {}).body.skeleton : nullptr, loading.threads,
-                                  made == nullptr ? std::nullopt : made->carriedAt, armor::SoftFit::heldOff);
+    if (builtin->name == "front_plate" || builtin->name == "back_plate") {
+      loaded.rig =
+          armor::bindPiece(loadPlate(loading, piece, *builtin, loaded.issues), piece.name, piece.carriage,
+                           *loading.result.body, nullptr, nullptr, loading.threads, {armor::CarriedBy::skin, {}, {}});
+      return loaded;
+    }
+    const auto [system, made] = builtinPiece(loading, *builtin, place);
+    loaded.rig = armor::bindPiece(made.mesh, piece.name, piece.carriage, *loading.result.body,
+                                  made.weights ? &*made.weights : nullptr,
+                                  made.weights ? &builtinHuman(loading, {}).body.skeleton : nullptr, loading.threads,
+                                  manikin::carrierOf(system, made), armor::SoftFit::heldOff);
     return loaded;
   }
   const InputFile& input = std::get<InputFile>(piece.mesh.from);

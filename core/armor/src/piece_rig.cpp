@@ -8,6 +8,7 @@
 #include "hold_off.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
+#include "skin_fit.h"
 
 namespace lorica::armor {
 
@@ -184,12 +185,21 @@ void bindSoft(PieceRig& piece, const std::string& name, const parenting::BodyRig
   }
 }
 
+geometry::RigidTransform carried(const PieceRig& piece, const parenting::PosedBody& pose) {
+  if (!piece.under.empty()) {
+    if (const auto bySkin = carriedBySkin(piece, pose.skin)) {
+      return *bySkin;
+    }
+  }
+  return piece.hasSite ? pose.sites.carry[piece.site] : geometry::RigidTransform{};
+}
+
 }  // namespace
 
 PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriage carriage,
                    const parenting::BodyRig& body, const human::SkinWeights* ownWeights,
-                   const human::Skeleton* ownSkeleton, base::Threads threads,
-                   const std::optional<geometry::Vec3d>& carriedAt, SoftFit fit) {
+                   const human::Skeleton* ownSkeleton, base::Threads threads, const RigidCarrier& carrier,
+                   SoftFit fit) {
   LORICA_CHECK(!rest.positions.empty(), "a piece with vertices");
   PieceRig piece;
   piece.rest = std::move(rest);
@@ -198,13 +208,18 @@ PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriag
     bindSoft(piece, name, body, ownWeights, ownSkeleton, fit, threads);
     return piece;
   }
-  if (body.sites().empty()) {
+  if (carrier.by == CarriedBy::skin) {
+    findUnder(piece, carrier.plate != nullptr ? *carrier.plate : piece.rest, body);
+  }
+  if (body.sites().empty() && piece.under.empty()) {
     piece.issues.push_back({base::Severity::warning, "", name,
                             "the body has no interior site that could carry this rigid piece; it stays where it is"});
     return piece;
   }
-  piece.site = parenting::nearestSite(body.sites(), carriedAt ? *carriedAt : geometry::centroid(piece.rest));
-  piece.hasSite = true;
+  if (!body.sites().empty()) {
+    piece.site = parenting::nearestSite(body.sites(), carrier.at ? *carrier.at : geometry::centroid(piece.rest));
+    piece.hasSite = true;
+  }
   return piece;
 }
 
@@ -225,9 +240,7 @@ void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, const hu
     }
     return;
   }
-  const bool carried = piece.carriage == Carriage::rigid && piece.hasSite;
-  const geometry::Positions moved =
-      carried ? geometry::transformed(piece.rest.positions, pose.sites.carry[piece.site]) : piece.rest.positions;
+  const geometry::Positions moved = geometry::transformed(piece.rest.positions, carried(piece, pose));
   std::copy(moved.begin(), moved.end(), posed.begin());
 }
 

@@ -313,4 +313,15 @@ std::vector<ArmorSystem> armorOf(const Body& body, base::Threads threads, const 
   return systems;
 }
 
+armor::RigidCarrier carrierOf(const ArmorSystem& system, const ArmorPiece& piece) {
+  if (!piece.carriedAt) {
+    return {};
+  }
+  // A system's plates stand before what is fixed to them.
+  const auto plate = std::find_if(system.pieces.begin(), system.pieces.end(),
+                                  [&](const ArmorPiece& other) { return other.carriedAt == piece.carriedAt; });
+  LORICA_CHECK(plate != system.pieces.end(), "a piece of the system");
+  return {armor::CarriedBy::skin, piece.carriedAt, &plate->mesh};
+}
+
 }  // namespace lorica::manikin

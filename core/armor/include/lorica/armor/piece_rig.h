@@ -2,8 +2,9 @@
 
 /// \file
 /// An armor piece made ready to follow the body. Armor lies outside the skin, so three rays from it are no use: a rigid
-/// piece is carried by the interior site nearest to it, a soft one follows the skin.
+/// piece is carried by the interior site nearest to it or by all the skin under it, a soft one follows the skin.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,7 +16,7 @@
 namespace lorica::armor {
 
 enum class Carriage {
-  rigid,   ///< plates, helmets: by the nearest interior site, the offset turning with its frame
+  rigid,   ///< plates, helmets: as one, by what RigidCarrier says
   skinned  ///< soft armor: by skin weights, its own or those of the nearest skin
 };
 
@@ -33,31 +34,57 @@ struct SkinFoot {
   std::uint32_t aboutBehind = 0;  ///< behind the last of them
 };
 
+/// A place of the skin under a plate.
+struct SkinUnder {
+  geometry::Triangle corners{};    ///< vertices of the skin
+  std::array<double, 3> shares{};  ///< of them, barycentric
+  geometry::Vec3d rest = geometry::Vec3d::Zero();
+  double weight = 0.0;  ///< share of the skin that carries the plate
+  double play = 0.0;    ///< m, by which the plate is further off here at rest than where it is nearest
+};
+
+enum class CarriedBy {
+  site,  ///< the interior site nearest to it, its offset turning with the site's frame
+  skin   ///< all the skin under it, as posePiece() says; the site where less than three places of the skin are
+};
+
+/// What carries a rigid piece.
+struct RigidCarrier {
+  CarriedBy by = CarriedBy::site;
+  /// The site is that nearest to this point, the same for pieces that move as one; to the piece's centroid where none
+  /// is given.
+  std::optional<geometry::Vec3d> at;
+  /// The skin is that under this mesh, outside the skin at rest, which the piece is fixed to; under the piece itself
+  /// where none is given.
+  const geometry::TriangleMesh* plate = nullptr;
+};
+
 /// Immutable.
 struct PieceRig {
   geometry::TriangleMesh rest;  ///< protecting parts only
   Carriage carriage = Carriage::rigid;
-  std::size_t site = 0;                       ///< index into BodyRig::sites(), for rigid pieces
-  bool hasSite = false;                       ///< false when the body has no site: the piece stays
-  std::optional<human::SkinWeights> weights;  ///< for skinned pieces
-  std::vector<geometry::Vec3f> centres;       ///< of human::skin(), those of the nearest skin; none when it has none
-  std::vector<SkinFoot> feet;                 ///< one per vertex of a piece that is held off the skin; else none
-  std::vector<geometry::Triangle> about;      ///< the skin about the feet that are near to it
-  geometry::SurfaceNeighbours around;         ///< of the vertices of such a piece
+  std::size_t site = 0;                                ///< index into BodyRig::sites(), for rigid pieces
+  bool hasSite = false;                                ///< false when the body has no site: the piece stays
+  std::vector<SkinUnder> under;                        ///< what carries a rigid piece instead of its site; else none
+  geometry::Vec3d outwards = geometry::Vec3d::Zero();  ///< off that skin, unit
+  std::optional<human::SkinWeights> weights;           ///< for skinned pieces
+  std::vector<geometry::Vec3f> centres;   ///< of human::skin(), those of the nearest skin; none when it has none
+  std::vector<SkinFoot> feet;             ///< one per vertex of a piece that is held off the skin; else none
+  std::vector<geometry::Triangle> about;  ///< the skin about the feet that are near to it
+  geometry::SurfaceNeighbours around;     ///< of the vertices of such a piece
   base::Issues issues;
 };
 
 /// Binds a piece.
 /// \param ownWeights weights that came with the mesh, on `ownSkeleton`; used when every joint they name is a joint of
 ///        the body (matched by name), else the nearest skin's weights are taken and an issue says so
-/// \param carriedAt the point whose nearest site carries a rigid piece, the same for pieces that move as one; the
-///        piece's centroid where none is given
+/// \param carrier of a rigid piece
 /// \param fit of a piece with weights of its own; one that takes the skin's is held off
 /// \pre rest is not empty
 PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriage carriage,
                    const parenting::BodyRig& body, const human::SkinWeights* ownWeights,
-                   const human::Skeleton* ownSkeleton, base::Threads threads,
-                   const std::optional<geometry::Vec3d>& carriedAt = std::nullopt, SoftFit fit = SoftFit::asWeighted);
+                   const human::Skeleton* ownSkeleton, base::Threads threads, const RigidCarrier& carrier = {},
+                   SoftFit fit = SoftFit::asWeighted);
 
 /// What a pose gives soft pieces; the same for all of them.
 human::SkinningDeltas pieceDeltas(const parenting::BodyRig& body, const std::optional<human::Pose>& pose);
@@ -67,6 +94,8 @@ human::SkinningDeltas pieceDeltas(const parenting::BodyRig& body, const std::opt
 /// 2 mm, it is lifted off the triangle of the skin it lies over at rest; where the skin about that triangle has come
 /// nearer than 1.8 mm, off that. Its surroundings are lifted along with it. Skin of elsewhere, a lowered arm, does not
 /// push it.
+/// A rigid piece carried by the skin takes the motion that fits the places of the skin under it best (least squares,
+/// Kabsch 1976), and then moves along the plate's axis until none of them is nearer to it than the nearest was at rest.
 /// \param deltas of pieceDeltas() for the same pose
 void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, const human::SkinningDeltas& deltas,
                std::span<geometry::Vec3f> posed, base::Threads threads);

@@ -21,7 +21,8 @@ struct ArmorPiece {
   geometry::TriangleMesh mesh;  ///< closed, manifold, outward, one piece, not through itself
   armor::Carriage carriage = armor::Carriage::rigid;
   std::optional<human::SkinWeights> weights;  ///< on the body's skeleton, for skinned pieces
-  /// For rigid pieces, what armor::bindPiece() calls so: a plate, its bag and its pouches move as one.
+  /// The middle of the plate that a rigid piece belongs to: a plate, its bag and its pouches move as one, see
+  /// carrierOf().
   std::optional<geometry::Vec3d> carriedAt;
   std::string material;
   double arealDensity = 0.0;  ///< kg/m2
@@ -50,6 +51,10 @@ struct ArmorSystem {
 /// Thread-safe; the same bytes at any number of threads. Cost: about 3 s on two cores.
 /// \throw base::Cancelled
 std::vector<ArmorSystem> armorOf(const Body& body, base::Threads threads, const base::Progress& progress = {});
+
+/// What carries a rigid piece of a system: the skin under its plate, or, where it belongs to none (the helmet), the
+/// nearest interior site. Points into `system`.
+armor::RigidCarrier carrierOf(const ArmorSystem& system, const ArmorPiece& piece);
 
 /// What is known of a piece before there is a body.
 struct PieceFacts {
