@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "lorica/base/error.h"
 #include "lorica/base/units.h"
+#include "lorica/study/provenance.h"
 #include "named_passages.h"
 
 namespace lorica::analysis {
@@ -117,6 +119,10 @@ std::string shotReport(const LoadedStudy& study, const RunResult& plan, const Sh
     text += fmt::format("shot {}:{}:{}, pose {}\n", name.source, name.trial + 1, name.shot, details.pose);
     text += fmt::format("from ({:.4f}, {:.4f}, {:.4f}) m along ({:.5f}, {:.5f}, {:.5f}); lengths from there\n", o.x(),
                         o.y(), o.z(), d.x(), d.y(), d.z());
+    // 0 less the component: a level shot comes from elevation 0, not -0.
+    text += fmt::format("comes from azimuth {:.2f}, elevation {:.2f} degrees; {}\n",
+                        base::degrees(std::atan2(0.0 - d.x(), 0.0 - d.z())),
+                        base::degrees(std::asin(std::clamp(0.0 - d.y(), -1.0, 1.0))), study::azimuthConvention);
     if (details.passages.empty()) {
       text += "  crosses nothing\n\n";
       continue;

@@ -99,6 +99,7 @@ std::string provenanceText(const Provenance& provenance) {
   json["models"] = provenance.models;
   json["systems"] = provenance.systems;
   json["poses"] = provenance.poses;
+  json["azimuth_and_elevation"] = azimuthConvention;
   json["sources"] = Json::array();
   for (const Provenance::SourceRecord& source : provenance.sources) {
     json["sources"].push_back(sourceJson(source));

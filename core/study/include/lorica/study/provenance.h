@@ -14,6 +14,11 @@
 
 namespace lorica::study {
 
+/// What azimuth and elevation of a shot mean, for those who read them.
+inline constexpr auto azimuthConvention =
+    "azimuth and elevation say where a shot comes from: azimuth 0 is ahead of the person (+z), 90 on its left (+x), "
+    "elevation 90 above (+y)";
+
 struct Provenance {
   struct SourceRecord {
     shotline::Source source;
