@@ -22,7 +22,7 @@ using geometry::Vec3f;
 namespace {
 
 constexpr std::size_t kLeastPoints = 3;
-constexpr double kPoints = 300.0;  // about as many places are looked at
+constexpr double kPoints = 120.0;  // about as many places are looked at
 constexpr double kFacing = 0.5;    // least cosine of the plate's inner face, and of the skin under it, to its way
 constexpr double kReach = 0.10;    // m, from the plate to the skin under it
 constexpr double kCarries = 0.02;  // of the skin under a plate, held by a joint that moves the plate
