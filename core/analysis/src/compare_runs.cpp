@@ -17,6 +17,7 @@
 #include "lorica/stats/tests.h"
 #include "lorica/study/provenance.h"
 #include "lorica/study/reserved_names.h"
+#include "probability.h"
 
 namespace lorica::analysis {
 
@@ -273,10 +274,6 @@ void adjust(std::vector<RunComparison>& rows) {
       rows[members[i]].pHolm = adjusted[i];
     }
   }
-}
-
-std::string probability(const std::optional<double>& value) {
-  return value ? fmt::format("{:.4g}", *value) : std::string();
 }
 
 }  // namespace

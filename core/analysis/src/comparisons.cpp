@@ -11,6 +11,7 @@
 #include "lorica/io/export.h"
 #include "lorica/stats/accumulators.h"
 #include "lorica/stats/tests.h"
+#include "probability.h"
 
 namespace lorica::analysis {
 
@@ -18,10 +19,6 @@ using shotline::Count;
 using shotline::Tally;
 
 namespace {
-
-std::string probability(const std::optional<double>& value) {
-  return value ? fmt::format("{:.4g}", *value) : std::string();
-}
 
 std::optional<double> coverageOf(const Count& count) {
   return count.any == 0 ? std::nullopt

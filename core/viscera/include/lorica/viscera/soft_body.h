@@ -51,7 +51,7 @@ class SoftBody {
   SoftBody& operator=(SoftBody&&) noexcept;
 
   /// How the control points move in a pose: zero, exactly, at rest.
-  /// The same bits at any number of threads. Cost: ten milliseconds for 5000 cells on two cores.
+  /// The same bits at any number of threads. Cost: some milliseconds for 5000 cells on two cores.
   /// \pre pose is one of the body the organs were bound to
   std::vector<geometry::Vec3f> settle(const parenting::PosedBody& pose, base::Threads threads) const;
 
