@@ -177,6 +177,37 @@ TEST(ParallelFor, LetsExceptionsOutOfNestedLoops) {
                std::range_error);
 }
 
+TEST(WithThreads, CallsItsWorkOnceBeforeItReturns) {
+  for (const int threads : {0, 1, 3}) {
+    int calls = 0;
+    withThreads(Threads{threads}, [&] { ++calls; });
+    EXPECT_EQ(calls, 1);
+  }
+}
+
+TEST(WithThreads, LoopsWithinCoverEveryIndexOnceOnNoMoreThreads) {
+  for (const int threads : {1, 2, 3}) {
+    Crowd crowd;
+    Visits visits(60);
+    withThreads(Threads{threads}, [&] {
+      for (int loop = 0; loop < 3; ++loop) {
+        parallelFor(20, 1, Threads{threads}, [&](std::size_t begin, std::size_t end) {
+          const Crowd::Member member(crowd);
+          const std::size_t first = 20 * static_cast<std::size_t>(loop);
+          visits.record(first + begin, first + end, 1);
+          std::this_thread::sleep_for(std::chrono::microseconds(200));
+        });
+      }
+    });
+    EXPECT_LE(crowd.most(), threads);
+    EXPECT_TRUE(visits.everyIndexOnce());
+  }
+}
+
+TEST(WithThreads, LetsExceptionsOut) {
+  EXPECT_THROW(withThreads(Threads{2}, [] { throw std::range_error("out"); }), std::range_error);
+}
+
 TEST(ParallelFor, CanBeUsedFromManyThreadsAtOnce) {
   std::atomic<int> failures{0};
   std::vector<std::thread> callers;

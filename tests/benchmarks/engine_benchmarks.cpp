@@ -65,7 +65,7 @@ void bareAllHits(benchmark::State& state) {
   for (std::uint64_t i = 0; i < shotsPerRound; ++i) {
     rays.push_back(shots.shot(i));
   }
-  const bench::BareScene bare(posed, false);
+  const bench::BareScene bare(posed, bench::BareScene::Use::rays);
   for (auto _ : state) {
     benchmark::DoNotOptimize(bare.allHits(rays, {2}));
   }

@@ -102,10 +102,12 @@ TEST(AllHits, EqualTheOracleOnClosedMeshes) {
 TEST(AllHits, EqualTheOracleOnOpenTriangleSoup) {
   std::mt19937_64 engine(5);
   const TriangleMesh soup = randomSoup(engine, 2000, 0.2);
-  Range range({&soup});
-  const Comparison result = compare(range, {0, 0, 0}, 0.5, 3000, 12);
-  EXPECT_EQ(result.wrong, 0U);
-  EXPECT_LT(result.apart, 30U);
+  for (const SceneUse use : {SceneUse::manyRays, SceneUse::manyFrames}) {
+    Range range({&soup}, use);
+    const Comparison result = compare(range, {0, 0, 0}, 0.5, 3000, 12);
+    EXPECT_EQ(result.wrong, 0U);
+    EXPECT_LT(result.apart, 30U);
+  }
 }
 
 TEST(AllHits, EqualTheOracleAKilometreFromTheOrigin) {

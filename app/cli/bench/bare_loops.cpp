@@ -53,12 +53,14 @@ RTCRayHit queryOf(const raycast::Ray& ray) {
 
 }  // namespace
 
-BareScene::BareScene(const analysis::PosedScene& posed, bool dynamic) : handles_(std::make_unique<Handles>()) {
+BareScene::BareScene(const analysis::PosedScene& posed, Use use) : handles_(std::make_unique<Handles>()) {
+  const bool dynamic = use != Use::rays;
   handles_->device = rtcNewDevice(nullptr);
   handles_->scene = rtcNewScene(handles_->device);
   const unsigned flags =
       static_cast<unsigned>(RTC_SCENE_FLAG_ROBUST) |
-      static_cast<unsigned>(dynamic ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+      static_cast<unsigned>(dynamic ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION) |
+      static_cast<unsigned>(use == Use::compactFrames ? RTC_SCENE_FLAG_COMPACT : RTC_SCENE_FLAG_NONE);
   rtcSetSceneFlags(handles_->scene, static_cast<RTCSceneFlags>(flags));
   rtcSetSceneBuildQuality(handles_->scene, dynamic ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
   for (std::size_t m = 0; m < posed.scene().meshes(); ++m) {

@@ -13,7 +13,12 @@ namespace lorica::bench {
 /// Embree by itself over the meshes of a posed scene; robust flag, as ours.
 class BareScene {
  public:
-  BareScene(const analysis::PosedScene& posed, bool dynamic);
+  enum class Use {
+    rays,           ///< built once
+    frames,         ///< for refit()
+    compactFrames,  ///< for refit() of leaves without vertices
+  };
+  BareScene(const analysis::PosedScene& posed, Use use);
   ~BareScene();
   BareScene(const BareScene&) = delete;
   BareScene& operator=(const BareScene&) = delete;

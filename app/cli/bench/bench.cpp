@@ -74,7 +74,7 @@ void measureShots(Report& report, const analysis::PosedScene& posed, base::Threa
   const shotline::ShotGenerator shots = shotsAt(posed);
   std::vector<raycast::Ray> rays(rayCount);
   shots.shots(0, rays);
-  const BareScene bare(posed, false);
+  const BareScene bare(posed, BareScene::Use::rays);
   const auto ours = [&] {
     sink = sink + shotline::trace(posed.scene(), posed.layout(), shots, rayCount, threads).tally.body(0).any;
   };
@@ -128,27 +128,29 @@ void measureFrames(Report& report, const analysis::LoadedStudy& study, Ratio wan
                    base::Threads threads, const base::Progress& progress) {
   analysis::PosedScene posed(study, {viscera::OrganModel::dynamic}, std::nullopt, raycast::SceneUse::manyFrames,
                              threads);
-  BareScene bare(posed, true);
+  BareScene bare(posed, BareScene::Use::frames);
+  BareScene compact(posed, BareScene::Use::compactFrames);
   const human::Clip& clip = study.clips.front();
   int frame = 0;
   const auto ours = [&] {
     const double seconds = clip.duration() * (frame++ % 30) / 30.0;
     posed.move(human::sample(clip, *study.body->body().skeleton, seconds), threads);
   };
-  const auto [ratio, mine, theirs] = interleaved(
-      [&] {
-        for (int i = 0; i < 10; ++i)
-          ours();
-      },
-      [&] {
-        for (int i = 0; i < 10; ++i)
-          bare.refit();
-      },
-      progress);
+  const auto tenTimes = [](const auto& work) {
+    return [&work] {
+      for (int i = 0; i < 10; ++i)
+        work();
+    };
+  };
+  const auto refit = [&] { bare.refit(); };
+  const auto compactRefit = [&] { compact.refit(); };
+  const auto [ratio, mine, theirs] = interleaved(tenTimes(ours), tenTimes(refit), progress.part(0.0, 0.8));
+  const double compactTime = interleaved(tenTimes(compactRefit), tenTimes(refit), progress.part(0.8, 1.0))[1];
   wanted.value = ratio;
   report.ratios.push_back(std::move(wanted));
   report.rates.emplace_back(rate + "_ours_ms", 100.0 * mine);
   report.rates.emplace_back(rate + "_bare_refit_ms", 100.0 * theirs);
+  report.rates.emplace_back(rate + "_bare_compact_refit_ms", 100.0 * compactTime);
 }
 
 /// A motion of a study, frame by frame with 100,000 shots at each, against the shots alone.

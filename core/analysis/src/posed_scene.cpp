@@ -1,6 +1,7 @@
 #include "lorica/analysis/posed_scene.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "lorica/base/error.h"
 
@@ -46,34 +47,50 @@ void PosedScene::deform(const std::optional<human::Pose>& pose, base::Threads th
   const parenting::BodyRig& body = *study_->body;
   body.poseInto(pose, threads, body_);
   const human::SkinningDeltas deltas = armor::pieceDeltas(body, pose);
-  // Most pieces and organs are too small to occupy several threads by themselves.
-  base::parallelFor(pieces_.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
-      armor::posePiece(study_->pieces[p]->rig, body_, deltas, pieces_[p], threads);
+  const bool soft = study_->softBody != nullptr;
+  const auto ofSoftBody = [&](std::size_t slot) {
+    return soft && models_[slot / study_->organs.size()] == viscera::OrganModel::dynamic;
+  };
+  const auto posePiece = [&](std::size_t p) {
+    armor::posePiece(study_->pieces[p]->rig, body_, deltas, pieces_[p], threads);
+  };
+  const auto poseOrgan = [&](std::size_t slot) {
+    const std::size_t o = slot % study_->organs.size();
+    const viscera::OrganRig& organ = study_->organs[o]->rig;
+    if (ofSoftBody(slot)) {
+      study_->softBody->place(o, organ.rest.positions, softBody_, body_, organs_[slot], threads);
+    } else {
+      viscera::poseOrgan(organ, models_[slot / study_->organs.size()], body, body_, organs_[slot], threads);
     }
-  });
-  const bool soft = study_->softBody != nullptr &&
-                    std::find(models_.begin(), models_.end(), viscera::OrganModel::dynamic) != models_.end();
-  if (soft) {
-    softBody_ = study_->softBody->settle(body_, threads);
+  };
+  const auto settle = [&] { softBody_ = study_->softBody->settle(body_, threads); };
+
+  // Most pieces and organs are too small to occupy several threads by themselves, and so is the soft body at times.
+  std::vector<std::function<void()>> first;
+  std::vector<std::function<void()>> then;
+  if (soft && std::find(models_.begin(), models_.end(), viscera::OrganModel::dynamic) != models_.end()) {
+    first.emplace_back(settle);
   }
-  base::parallelFor(organs_.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      const std::size_t o = slot % study_->organs.size();
-      const viscera::OrganModel model = models_[slot / study_->organs.size()];
-      const viscera::OrganRig& organ = study_->organs[o]->rig;
-      if (soft && model == viscera::OrganModel::dynamic) {
-        study_->softBody->place(o, organ.rest.positions, softBody_, body_, organs_[slot], threads);
-      } else {
-        viscera::poseOrgan(organ, model, body, body_, organs_[slot], threads);
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    first.emplace_back([&posePiece, p] { posePiece(p); });
+  }
+  for (std::size_t slot = 0; slot < organs_.size(); ++slot) {
+    (ofSoftBody(slot) ? then : first).emplace_back([&poseOrgan, slot] { poseOrgan(slot); });
+  }
+  for (const auto* tasks : {&first, &then}) {
+    base::parallelFor(tasks->size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        (*tasks)[i]();
       }
-    }
-  });
+    });
+  }
 }
 
 void PosedScene::move(const std::optional<human::Pose>& pose, base::Threads threads) {
-  deform(pose, threads);
-  scene_.refit();
+  base::withThreads(threads, [&] {
+    deform(pose, threads);
+    scene_.refit();
+  });
 }
 
 void PosedScene::placeOrgans(std::span<const geometry::Positions> positions, std::span<const geometry::Vec3d> shifts) {

@@ -29,6 +29,9 @@ constexpr float kNear = 0.008F;  // m
 // How many triangles away from its foot a vertex may find itself.
 constexpr int kRings = 4;
 
+// The skin about a foot is felt for in one of so many of its triangles.
+constexpr std::uint32_t kFelt = 3;
+
 // A triangle over each edge of each triangle, from each corner to the next.
 constexpr std::uint32_t kNone = UINT32_MAX;
 using Across = std::array<std::uint32_t, 3>;
@@ -85,16 +88,29 @@ bool isOver(const Triangle& corners, const Lift& lift, const Vec3f& p, std::span
   return true;
 }
 
-/// Whether the skin about a foot rises towards a vertex, as in a crease; looked at in a third of the places.
+/// Whether the skin about a foot rises towards a vertex, as in a crease.
 bool skinRises(const PieceRig& piece, const SkinFoot& foot, const Lift& own, std::span<const Vec3f> skin) {
   constexpr float near = 0.0025F;  // m below the vertex
   const Vec3f& a = skin[foot.corners[0]];
-  for (std::size_t t = foot.aboutFirst; t < foot.aboutBehind; t += 3) {
-    if (own.normal.dot(skin[piece.about[t][0]] - a) > own.height - near) {
+  for (std::size_t i = foot.feltFirst; i < foot.feltBehind; ++i) {
+    if (own.normal.dot(skin[piece.felt[i]] - a) > own.height - near) {
       return true;
     }
   }
   return false;
+}
+
+/// Whether a triangle may lift a point by more than it is lifted already. Says no only where that is sure, for less
+/// than liftOver() takes.
+bool mayLift(const Triangle& corners, const Vec3f& p, std::span<const Vec3f> skin, float most) {
+  constexpr float rounding = 1.001F;
+  const Vec3f& a = skin[corners[0]];
+  const Vec3f normal = (skin[corners[1]] - a).cross(skin[corners[2]] - a);
+  const float along = normal.dot(p - a);
+  const float highest = kBeside - most;
+  const float lowest = kBeside - 2.0F * kCreased + most;
+  const float bound = along > 0.0F ? std::max(highest, 0.0F) : std::min(lowest, 0.0F);
+  return along * along <= rounding * bound * bound * normal.squaredNorm();
 }
 
 /// What takes a vertex as far off the skin as it should be.
@@ -110,6 +126,9 @@ Vec3f neededLift(const PieceRig& piece, const SkinFoot& foot, const Vec3f& p, st
   }
   float most = needed.norm();
   for (std::size_t t = foot.aboutFirst; t < foot.aboutBehind; ++t) {
+    if (!mayLift(piece.about[t], p, skin, most)) {
+      continue;
+    }
     const Lift lift = liftOver(piece.about[t], p, skin);
     const float lacking = kBeside - lift.height;
     const float by = std::min(lacking, 2.0F * kCreased - lacking);
@@ -207,6 +226,11 @@ void setFeet(PieceRig& piece, std::span<const std::uint32_t> triangles, std::spa
                     [&](std::uint32_t t) { piece.about.push_back(skin.triangles[t]); });
     }
     foot.aboutBehind = static_cast<std::uint32_t>(piece.about.size());
+    foot.feltFirst = static_cast<std::uint32_t>(piece.felt.size());
+    for (std::uint32_t t = foot.aboutFirst; t < foot.aboutBehind; t += kFelt) {
+      piece.felt.push_back(piece.about[t][0]);
+    }
+    foot.feltBehind = static_cast<std::uint32_t>(piece.felt.size());
   }
 }
 

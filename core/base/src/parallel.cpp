@@ -58,6 +58,10 @@ void spread(std::size_t count, std::size_t grain, int threads,
   }
 }
 
+void keepThreads(int, const std::function<void()>& work) {
+  work();
+}
+
 }  // namespace
 
 #else
@@ -95,14 +99,30 @@ void spread(std::size_t count, std::size_t grain, int threads,
   arenaOf(threads).execute(loop);
 }
 
+void keepThreads(int threads, const std::function<void()>& work) {
+  arenaOf(threads).execute(work);
+}
+
 }  // namespace
 
 #endif
 
+namespace {
+
+int wantedOf(Threads threads) {
+  return threads.count > 0 ? threads.count : machineThreads();
+}
+
+}  // namespace
+
+void withThreads(Threads threads, const std::function<void()>& work) {
+  keepThreads(wantedOf(threads), work);
+}
+
 void parallelFor(std::size_t count, std::size_t grain, Threads threads,
                  const std::function<void(std::size_t begin, std::size_t end)>& body) {
   LORICA_CHECK(grain > 0, "a range needs at least one index");
-  const int wanted = threads.count > 0 ? threads.count : machineThreads();
+  const int wanted = wantedOf(threads);
   if (wanted == 1 || count <= grain) {
     for (std::size_t begin = 0; begin < count; begin += grain) {
       body(begin, std::min(begin + grain, count));

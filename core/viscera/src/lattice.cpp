@@ -130,20 +130,28 @@ Lattice makeLattice(std::span<const Vec3f> positions, const LatticeOptions& opti
 void deform(std::span<const Vec3f> rest, const Embedding& lattice, std::span<const Vec3f> offsets,
             std::span<Vec3f> posed, base::Threads threads) {
   LORICA_CHECK(rest.size() == lattice.cellOf.size() && posed.size() == rest.size(), "the lattice's own vertices");
+  // A vector register for each corner of a cell. What goes back, not forth: taking +0 from -0 leaves it -0.
+  using Lanes = Eigen::Vector4f;
+  std::vector<std::array<Lanes, 8>> back(lattice.cellCorners.size());
+  for (std::size_t cell = 0; cell < back.size(); ++cell) {
+    for (std::size_t c = 0; c < 8; ++c) {
+      const Vec3f& offset = offsets[lattice.cellCorners[cell][c]];
+      back[cell][c] = Lanes(0.0F - offset.x(), 0.0F - offset.y(), 0.0F - offset.z(), 0.0F);
+    }
+  }
   base::parallelFor(rest.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      const std::array<std::uint32_t, 8>& corner = lattice.cellCorners[lattice.cellOf[v]];
+      const std::array<Lanes, 8>& corner = back[lattice.cellOf[v]];
       const Vec3f& d = lattice.fraction[v];
       const float x = d.x();
-      const Vec3f c00 = offsets[corner[0]] * (1.0F - x) + offsets[corner[1]] * x;
-      const Vec3f c01 = offsets[corner[2]] * (1.0F - x) + offsets[corner[3]] * x;
-      const Vec3f c10 = offsets[corner[4]] * (1.0F - x) + offsets[corner[5]] * x;
-      const Vec3f c11 = offsets[corner[6]] * (1.0F - x) + offsets[corner[7]] * x;
-      const Vec3f c0 = c00 * (1.0F - d.y()) + c10 * d.y();
-      const Vec3f c1 = c01 * (1.0F - d.y()) + c11 * d.y();
-      const Vec3f offset = c0 * (1.0F - d.z()) + c1 * d.z();
-      // Adding zero would turn -0 into 0.
-      posed[v] = offset == Vec3f::Zero() ? rest[v] : Vec3f(rest[v] + offset);
+      const Lanes c00 = corner[0] * (1.0F - x) + corner[1] * x;
+      const Lanes c01 = corner[2] * (1.0F - x) + corner[3] * x;
+      const Lanes c10 = corner[4] * (1.0F - x) + corner[5] * x;
+      const Lanes c11 = corner[6] * (1.0F - x) + corner[7] * x;
+      const Lanes c0 = c00 * (1.0F - d.y()) + c10 * d.y();
+      const Lanes c1 = c01 * (1.0F - d.y()) + c11 * d.y();
+      const Lanes offset = c0 * (1.0F - d.z()) + c1 * d.z();
+      posed[v] = rest[v] - offset.head<3>();
     }
   });
 }

@@ -32,6 +32,8 @@ struct SkinFoot {
   float least = 0.0F;             ///< m, over the triangle's plane in a pose
   std::uint32_t aboutFirst = 0;   ///< of PieceRig::about
   std::uint32_t aboutBehind = 0;  ///< behind the last of them
+  std::uint32_t feltFirst = 0;    ///< of PieceRig::felt
+  std::uint32_t feltBehind = 0;   ///< behind the last of them
 };
 
 /// A place of the skin under a plate.
@@ -71,6 +73,7 @@ struct PieceRig {
   std::vector<geometry::Vec3f> centres;   ///< of human::skin(), those of the nearest skin; none when it has none
   std::vector<SkinFoot> feet;             ///< one per vertex of a piece that is held off the skin; else none
   std::vector<geometry::Triangle> about;  ///< the skin about the feet that are near to it
+  std::vector<std::uint32_t> felt;        ///< vertices of the skin among those, by which is known where it rises
   geometry::SurfaceNeighbours around;     ///< of the vertices of such a piece
   base::Issues issues;
 };

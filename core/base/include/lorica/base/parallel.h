@@ -23,4 +23,8 @@ int machineThreads();
 void parallelFor(std::size_t count, std::size_t grain, Threads threads,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);
 
+/// Calls `work` where loops of this thread, and those of libraries that use TBB too, take up to `threads` threads.
+/// Several loops one after the other find their threads still there: it saves what it takes to fetch them for each.
+void withThreads(Threads threads, const std::function<void()>& work);
+
 }  // namespace lorica::base
