@@ -102,7 +102,7 @@ void PosedScene::placeOrgans(std::span<const geometry::Positions> positions, std
     for (std::size_t v = 0; v < organs_[slot].size(); ++v) {
       organs_[slot][v] = positions[slot][v] + shift;
     }
-    moved.push_back(raycast::MeshIndex{1 + pieces_.size() + slot});
+    moved.emplace_back(1 + pieces_.size() + slot);
   }
   scene_.refit(moved);
 }

@@ -91,7 +91,7 @@ void Scene::build() {
 void Scene::refit() {
   std::vector<MeshIndex> all;
   for (std::size_t m = 0; m < impl_->meshes.size(); ++m) {
-    all.push_back(MeshIndex{m});
+    all.emplace_back(m);
   }
   refit(all);
 }

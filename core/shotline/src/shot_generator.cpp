@@ -40,7 +40,9 @@ struct GridNumbers {
       : side(cells), shift(stats::uniform2(key, 0, shiftDraw)) {}
   std::array<double, 2> two(std::uint64_t shot) const {
     const auto n = static_cast<double>(side);
-    return {(static_cast<double>(shot % side) + shift[0]) / n, (static_cast<double>(shot / side) + shift[1]) / n};
+    const std::uint64_t row = shot / side;
+    const std::uint64_t column = shot % side;
+    return {(static_cast<double>(column) + shift[0]) / n, (static_cast<double>(row) + shift[1]) / n};
   }
   std::uint64_t side;
   std::array<double, 2> shift;

@@ -70,6 +70,7 @@ std::vector<std::vector<Edge>> loopsOf(const std::vector<Edge>& edges) {
     loops[root(edge.first)].push_back(edge);
   }
   std::vector<std::vector<Edge>> result;
+  result.reserve(loops.size());
   for (auto& [first, loop] : loops) {
     result.push_back(std::move(loop));
   }
