@@ -82,4 +82,42 @@ Pose sample(const Clip& clip, const Skeleton& skeleton, double seconds) {
   return pose;
 }
 
+Clip clipThrough(std::string name, const Skeleton& skeleton, const std::vector<double>& times,
+                 const std::vector<Pose>& poses, std::span<const JointIndex> turned, JointIndex moved) {
+  LORICA_CHECK(!times.empty() && times.size() == poses.size(), "a time for every pose");
+  Clip clip{std::move(name), {}};
+  const auto channelOf = [&](JointIndex joint, ChannelPath path, const auto& valueOf) {
+    Channel channel{joint, path, Interpolation::linear, times, {}};
+    channel.values.reserve(poses.size());
+    for (const Pose& pose : poses) {
+      Vector4d value = valueOf(pose.local[joint.value]);
+      if (path == ChannelPath::rotation && !channel.values.empty() && channel.values.back().dot(value) < 0.0) {
+        value = -value;
+      }
+      channel.values.push_back(value);
+    }
+    return channel;
+  };
+  const auto translation = [](const Trs& local) {
+    return Vector4d(local.translation.x(), local.translation.y(), local.translation.z(), 0.0);
+  };
+  const auto rotation = [](const Trs& local) { return Vector4d(local.rotation.coeffs()); };
+  const auto addWhereMoved = [&](JointIndex joint, ChannelPath path, const auto& valueOf) {
+    Channel channel = channelOf(joint, path, valueOf);
+    const Vector4d rest = valueOf(skeleton.joint(joint).rest);
+    if (std::any_of(channel.values.begin(), channel.values.end(), [&](const Vector4d& v) { return v != rest; })) {
+      clip.channels.push_back(std::move(channel));
+    }
+  };
+  addWhereMoved(moved, ChannelPath::translation, translation);
+  for (const JointIndex joint : turned) {
+    addWhereMoved(joint, ChannelPath::rotation, rotation);
+  }
+  if (clip.channels.empty()) {
+    // Rest all the time is a motion too, as long as it lasts.
+    clip.channels.push_back(channelOf(moved, ChannelPath::translation, translation));
+  }
+  return clip;
+}
+
 }  // namespace lorica::human

@@ -24,29 +24,11 @@ human::Clip keyed(const Figure& figure, const human::Skeleton& skeleton, const T
     times.push_back(u * task.duration);
     poses.push_back(figure.pose(task.stance(figure, u)));
   }
-  human::Clip clip{task.name, {}};
-  const auto add = [&](human::JointIndex joint, human::ChannelPath path, const auto& valueOf) {
-    human::Channel channel{joint, path, human::Interpolation::linear, times, {}};
-    for (const human::Pose& pose : poses) {
-      Eigen::Vector4d value = valueOf(pose.local[joint.value]);
-      if (path == human::ChannelPath::rotation && !channel.values.empty() && channel.values.back().dot(value) < 0.0) {
-        value = -value;
-      }
-      channel.values.push_back(value);
-    }
-    const Eigen::Vector4d rest = valueOf(skeleton.joint(joint).rest);
-    if (std::any_of(channel.values.begin(), channel.values.end(), [&](const auto& value) { return value != rest; })) {
-      clip.channels.push_back(std::move(channel));
-    }
-  };
-  add(figure.joint(Role::pelvis, Side::middle), human::ChannelPath::translation, [](const human::Trs& local) {
-    return Eigen::Vector4d(local.translation.x(), local.translation.y(), local.translation.z(), 0.0);
-  });
+  std::vector<human::JointIndex> turned;
   for (const human::Part& part : figure.frames().parts()) {
-    add(part.joint, human::ChannelPath::rotation,
-        [](const human::Trs& local) { return Eigen::Vector4d(local.rotation.coeffs()); });
+    turned.push_back(part.joint);
   }
-  return clip;
+  return human::clipThrough(task.name, skeleton, times, poses, turned, figure.joint(Role::pelvis, Side::middle));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 /// \file
 /// Motion clips: keyed channels on joints, as glTF 2.0 defines them (appendix C for the interpolations).
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,5 +37,10 @@ struct Clip {
 /// key holds.
 /// \pre every channel's joint is below skeleton.size()
 Pose sample(const Clip& clip, const Skeleton& skeleton, double seconds);
+
+/// The clip that goes through poses, linearly between them. Of the joints in `turned` it has the rotations, of `moved`
+/// the translation, each only where it differs from rest at some time. \pre as many times as poses, strictly rising
+Clip clipThrough(std::string name, const Skeleton& skeleton, const std::vector<double>& times,
+                 const std::vector<Pose>& poses, std::span<const JointIndex> turned, JointIndex moved);
 
 }  // namespace lorica::human
