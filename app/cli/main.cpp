@@ -157,6 +157,9 @@ void addImport(CLI::App& app, int& code) {
       ->take_all()
       ->allow_extra_args(false);
   command->add_flag("--plates", arguments->plates, "add the generated front and back plates");
+  command->add_option("--motion", request.motions, "a recorded motion (BVH) for the body to do; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
   command->add_flag("--split", request.split, "each node of an organ file is a structure of its own");
   command->add_option("--units", arguments->units, "unit of all files")->check(CLI::IsMember({"m", "cm", "mm", "in"}));
   command->add_option("--up", arguments->up, "up axis of all files")->check(CLI::IsMember({"y", "z"}));

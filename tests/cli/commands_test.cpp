@@ -169,6 +169,18 @@ TEST_F(Commands, ImportOfAnExportRunsAndKeepsSystemsApart) {
   EXPECT_EQ(study["armor"][1]["pieces"].size(), 2U);
 }
 
+TEST_F(Commands, ImportTakesRecordedMotions) {
+  const std::string joint = "CHANNELS 3 Zrotation Xrotation Yrotation\n";
+  write("walk.bvh",
+        "HIERARCHY\nROOT Hips\n{\nOFFSET 0 1 0\n" + joint + "}\nMOTION\nFrames: 1\nFrame Time: 0.1\n0 0 0\n");
+  EXPECT_EQ(run("check walk.bvh").code, 0);
+  writeSample();
+  ASSERT_EQ(run("export s.lorica.json --pose rest --format ply --out body.ply").code, 0);
+  expectOneClearLine(run("import body.ply --motion walk.bvh --out made.lorica.json"), {"/motions/0", "no skeleton"});
+  write("broken.bvh", "HIERARCHY\nROOT Hips\n{\nOFFSET 0 x 0\n");
+  expectOneClearLine(run("import body.ply --motion broken.bvh --out made.lorica.json"), {"broken.bvh", "line 4"});
+}
+
 TEST_F(Commands, AcceptInputsTakesAChangedFile) {
   writeSample();
   ASSERT_EQ(run("export s.lorica.json --pose rest --format ply --out body.ply").code, 0);

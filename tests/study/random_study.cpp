@@ -306,6 +306,22 @@ Display anyDisplay(std::size_t index) {
   return display;
 }
 
+Motion anyMotion(std::size_t index) {
+  Motion motion;
+  motion.name = uniqueName("motion", index);
+  motion.file.path = uniqueName("path", index);
+  motion.file.sha256 = coin() ? std::string(64, 'c') : "";
+  if (coin()) {
+    motion.file.up = oneOf<char>({'y', 'z'});
+  }
+  if (coin()) {
+    motion.jointRoles = {{uniqueName("role", 0), {uniqueName("joint", 0), uniqueName("joint", 1)}}};
+  }
+  motion.inPlace = coin();
+  motion.description = freeText();
+  return motion;
+}
+
 Study makeStudy() {
   Study study;
   study.name = coin() ? uniqueName("study", 0) : "";
@@ -318,6 +334,7 @@ Study makeStudy() {
     study.jointRoles = {{uniqueName("role", 0), {uniqueName("joint", 0)}},
                         {uniqueName("role", 1), {uniqueName("joint", 1), uniqueName("joint", 2)}}};
   }
+  study.motions = several<Motion>(anyMotion);
   study.organs = several<Organ>(anyOrgan);
   study.systems = several<ArmorSystem>(anySystem);
   study.poses = several<Pose>(anyPose);

@@ -41,6 +41,7 @@ Words keysAt(const std::string& pointer) {
 const std::map<std::string, std::span<const std::string_view>>& readerObjects() {
   static const std::map<std::string, std::span<const std::string_view>> objects{{"", studyKeys},
                                                                                 {"/$defs/human", humanKeys},
+                                                                                {"/$defs/recorded", recordedKeys},
                                                                                 {"/$defs/organ", organKeys},
                                                                                 {"/$defs/lattice", latticeKeys},
                                                                                 {"/$defs/system", systemKeys},
@@ -81,6 +82,7 @@ TEST(StudySchema, HasTheWordsOfTheReaderForEveryChoice) {
   EXPECT_EQ(wordsAt("/$defs/source/properties/sequence/enum"), wordsOf(sequenceWords));
   EXPECT_EQ(wordsAt("/$defs/source/properties/type/enum"), wordsOf(sourceTypeWords));
   EXPECT_EQ(wordsAt("/$defs/structureName/not/enum"), Words(reservedStructures.begin(), reservedStructures.end()));
+  EXPECT_EQ(wordsAt("/$defs/recorded/properties/up/enum"), wordsOf(upWords));
   for (const char* object : {"human", "organ", "piece"}) {
     const std::string properties = std::string("/$defs/") + object + "/properties";
     EXPECT_EQ(wordsAt(properties + "/units/enum"), wordsOf(unitWords));

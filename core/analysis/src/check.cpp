@@ -7,6 +7,7 @@
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/mesh_audit.h"
 #include "lorica/io/import.h"
+#include "lorica/io/motion.h"
 #include "lorica/study/study_file.h"
 #include "prepare_source.h"
 #include "references.h"
@@ -48,6 +49,32 @@ base::Issues checkMesh(const std::filesystem::path& path) {
   }
   for (const human::Clip& clip : model.clips) {
     issues.push_back({Severity::note, path.string(), clip.name, fmt::format("clip of {:.3f} s", clip.duration())});
+  }
+  return issues;
+}
+
+bool isMotion(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  return ending == ".bvh" || ending == ".BVH";
+}
+
+base::Issues checkMotion(const std::filesystem::path& path) {
+  const io::Motion motion = io::importMotion(path);
+  base::Issues issues = motion.issues;
+  const std::string file = path.string();
+  std::vector<std::string> names;
+  for (const human::Joint& joint : motion.skeleton.joints()) {
+    names.push_back(joint.name);
+  }
+  issues.push_back(
+      {Severity::note, file, "",
+       fmt::format("motion of {} frames, {:.3f} s, {} up{}", motion.frames, motion.clip.duration(),
+                   motion.up == io::UpAxis::y ? "y" : "z", motion.upGuessed ? " (guessed from its shape)" : "")});
+  issues.push_back({Severity::note, file, "", fmt::format("{} joints: {}", names.size(), fmt::join(names, ", "))});
+  try {
+    human::findRoles(motion.skeleton);
+  } catch (const base::InputError& error) {
+    issues.push_back({Severity::warning, file, error.place(), error.text() + " of a study that uses the motion"});
   }
   return issues;
 }
@@ -107,7 +134,10 @@ base::Issues checkStudy(const std::filesystem::path& path, base::Threads threads
 
 base::Issues checkFile(const std::filesystem::path& path, base::Threads threads, const base::Progress& progress) {
   try {
-    return path.extension() == ".json" ? checkStudy(path, threads, progress) : checkMesh(path);
+    if (path.extension() == ".json") {
+      return checkStudy(path, threads, progress);
+    }
+    return isMotion(path) ? checkMotion(path) : checkMesh(path);
   } catch (const base::InputError& error) {
     return {{Severity::error, error.file(), error.place(), error.text()}};
   }

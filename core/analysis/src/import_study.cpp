@@ -13,6 +13,7 @@
 #include "lorica/analysis/loaded_study.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
+#include "lorica/manikin/task_clips.h"
 #include "lorica/parenting/skin_side.h"
 #include "lorica/study/reserved_names.h"
 #include "lorica/study/study_file.h"
@@ -66,12 +67,17 @@ class Importer {
   ImportedStudy import(base::Threads threads, const base::Progress& progress);
 
  private:
+  /// A file as the study names it.
+  std::string pathOf(const fs::path& file) const;
   /// Reads a file too, so that it is hashed at the same time.
   study::InputFile inputOf(const fs::path& file);
   void understood(const study::InputFile& input, const io::Model& model, const std::string& as);
   void addSkin();
   void addOrgan(const fs::path& file);
   void addArmor(const ArmorRequest& armor);
+  void addMotion(const fs::path& file);
+  /// Names of clips that the body has or may have.
+  Names clipNames();
   /// Whether the file says of all its parts that they do not protect; a note says so.
   bool leftOut(const fs::path& file);
   study::ArmorPiece pieceFrom(const fs::path& file);
@@ -90,13 +96,17 @@ class Importer {
   ImportedStudy result_;
 };
 
-study::InputFile Importer::inputOf(const fs::path& file) {
-  study::InputFile input;
+std::string Importer::pathOf(const fs::path& file) const {
   std::error_code failure;
   const fs::path absolute = fs::absolute(file, failure);
   const fs::path home = fs::absolute(request_.studyFile, failure).parent_path();
   const fs::path relative = absolute.lexically_normal().lexically_relative(home.lexically_normal());
-  input.path = relative.empty() ? absolute.generic_string() : relative.generic_string();
+  return relative.empty() ? absolute.generic_string() : relative.generic_string();
+}
+
+study::InputFile Importer::inputOf(const fs::path& file) {
+  study::InputFile input;
+  input.path = pathOf(file);
   input.units = request_.units;
   input.up = request_.up;
   library_.newFile(input);
@@ -231,6 +241,31 @@ void Importer::addArmor(const ArmorRequest& armor) {
   system->pieces.push_back(std::move(plate));
 }
 
+Names Importer::clipNames() {
+  Names names;
+  for (const std::string& task : manikin::taskClipNames()) {
+    names.take(task);
+  }
+  if (const auto* body = std::get_if<study::InputFile>(&result_.study.human.from)) {
+    for (const human::Clip& clip : library_.file(*body).clips) {
+      names.take(clip.name);
+    }
+  }
+  for (const study::Motion& motion : result_.study.motions) {
+    names.take(motion.name);
+  }
+  return names;
+}
+
+void Importer::addMotion(const fs::path& file) {
+  study::Motion motion;
+  motion.name = clipNames().unique(file.stem().string());
+  motion.file.path = pathOf(file);
+  motion.file.sha256 = study::sha256OfInput(file);
+  motion.file.up = request_.up;
+  result_.study.motions.push_back(std::move(motion));
+}
+
 void Importer::addSource(const parenting::BodyRig& body) {
   const geometry::Box3d box = geometry::bounds(body.body().skin.positions);
   study::Source front;
@@ -305,6 +340,9 @@ ImportedStudy Importer::import(base::Threads threads, const base::Progress& prog
   for (const ArmorRequest& armor : request_.armor) {
     progress.check();
     addArmor(armor);
+  }
+  for (const fs::path& motion : request_.motions) {
+    addMotion(motion);
   }
   // Loading the result shows that it holds together, and finds what does not fit.
   study::Study trial = result_.study;

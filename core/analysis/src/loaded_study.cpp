@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "load_meshes.h"
+#include "load_motions.h"
 #include "lorica/armor/plates.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
@@ -57,7 +58,7 @@ void addTaskClips(Loading& loading, const human::Skeleton& skeleton) {
   std::vector<human::Clip>& clips = loading.result.clips;
   human::RoleMap roles;
   try {
-    roles = study.jointRoles.empty() ? human::findRoles(skeleton) : human::rolesFromNames(skeleton, study.jointRoles);
+    roles = bodyRoles(study, skeleton);
   } catch (const base::InputError& error) {
     if (!study.jointRoles.empty()) {
       loading.fail("/human/joint_roles/" + error.place(), error.text());
@@ -540,7 +541,10 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
     loading.previous = options.previous;
     result.body = options.previous->body;
     result.thesisSites = options.previous->thesisSites;
-    result.clips = options.previous->clips;
+    // Without the motions, which addMotions() puts behind them.
+    const auto& clips = options.previous->clips;
+    result.clips.assign(clips.begin(),
+                        clips.end() - static_cast<std::ptrdiff_t>(options.previous->study.motions.size()));
     result.bodyIssues = options.previous->bodyIssues;
   } else {
     parenting::Body body = loadBody(loading, progress.part(0.05, 0.25));
@@ -551,10 +555,12 @@ LoadedStudy load(study::Study study, const std::filesystem::path& file, base::Th
     rig.skinning = result.study.skinning;
     result.body = std::make_shared<const parenting::BodyRig>(std::move(body), rig, threads, progress.part(0.25, 0.5));
   }
+  base::Issues motionIssues = addMotions(result, loading.previous, progress);
   loadOrgans(loading, progress.part(0.5, 0.75));
   loadSoftBody(loading, options, progress.part(0.75, 0.85));
   loadArmor(loading, progress.part(0.85, 1.0));
-  result.fileIssues = mergedFileIssues(result, loading.previous, library.takeIssues());
+  base::append(motionIssues, library.takeIssues());
+  result.fileIssues = mergedFileIssues(result, loading.previous, std::move(motionIssues));
   base::append(result.issues, result.bodyIssues);
   base::append(result.issues, result.body->issues());
   if (usesThesisModel(result.study)) {

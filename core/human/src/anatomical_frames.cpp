@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,6 +16,7 @@ using geometry::Vec3d;
 namespace {
 
 const Vec3d kDown(0.0, -1.0, 0.0);
+constexpr double kSamePlace = 1e-6;  // m between two joints
 
 /// The least turn that lays a part carried by `carrier` along a direction.
 Quatd laidAlong(const Quatd& carrier, const Vec3d& direction) {
@@ -62,7 +64,7 @@ std::size_t AnatomicalFrames::add(Role role, Side side, std::size_t place, Joint
 
 Vec3d AnatomicalFrames::direction(const Skeleton& skeleton, JointIndex from, JointIndex to) const {
   const Vec3d along = restPosition(to) - restPosition(from);
-  if (along.norm() < 1e-6) {
+  if (along.norm() < kSamePlace) {
     throw base::InputError("", "",
                            fmt::format("joints \"{}\" and \"{}\" rest at the same place", skeleton.joint(from).name,
                                        skeleton.joint(to).name));
@@ -105,8 +107,12 @@ void AnatomicalFrames::addArm(const Skeleton& skeleton, const RoleMap& roles, Si
   const Quatd upperArm = laidAlong(Quatd::Identity(), direction(skeleton, shoulder, elbow));
   const Quatd forearm = laidAlong(upperArm, direction(skeleton, elbow, wrist));
   Quatd hand = forearm;
-  const auto middle = roles.joint(Role::middle, side);
-  if (middle) {
+  // Some rigs have the first joint of a finger in the wrist.
+  const auto fingers = roles.joints(Role::middle, side);
+  const auto middle = std::find_if(fingers.begin(), fingers.end(), [&](JointIndex finger) {
+    return (restPosition(finger) - restPosition(wrist)).norm() > kSamePlace;
+  });
+  if (middle != fingers.end()) {
     const auto index = roles.joint(Role::index, side);
     const auto little =
         roles.joint(Role::little, side) ? roles.joint(Role::little, side) : roles.joint(Role::ring, side);

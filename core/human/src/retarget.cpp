@@ -258,7 +258,7 @@ class Doing {
 
 }  // namespace
 
-Retargeted retarget(const Clip& clip, const Actor& shown, const Actor& doer) {
+Retargeted retarget(const Clip& clip, const Actor& shown, const Actor& doer, const RetargetOptions& options) {
   const Figure from(shown);
   const Figure to(doer);
   const Likeness likeness(from, to);
@@ -293,8 +293,12 @@ Retargeted retarget(const Clip& clip, const Actor& shown, const Actor& doer) {
     lifts.push_back(from.leastLift(carry));
     floor = std::min(floor, lifts.back());
   }
+  double farthest = 0.0;
   for (std::size_t k = 0; k < poses.size(); ++k) {
     Vec3d offset = to.frames.facing() * (scale * travelled[k]);
+    offset.y() = 0.0;
+    farthest = std::max(farthest, offset.norm());
+    offset *= options.inPlace ? 0.0 : 1.0;
     offset.y() = scale * (lifts[k] - floor) - to.leastLift(carryTransforms(to.skeleton, poses[k]));
     doing.movePelvis(poses[k], offset);
   }
@@ -302,7 +306,7 @@ Retargeted retarget(const Clip& clip, const Actor& shown, const Actor& doer) {
   for (const Part& part : to.frames.parts()) {
     joints.push_back(part.joint);
   }
-  return {clipThrough(clip.name, to.skeleton, times, poses, joints, to.pelvis()), turned};
+  return {clipThrough(clip.name, to.skeleton, times, poses, joints, to.pelvis()), turned, farthest};
 }
 
 }  // namespace lorica::human

@@ -341,9 +341,10 @@ RoleMap findRoles(const Skeleton& skeleton) {
   RoleMap roles = Finder(skeleton).find();
   const std::vector<std::string> missing = missingRoles(roles);
   if (!missing.empty()) {
-    throw base::InputError("", "",
-                           fmt::format("no joint of the skeleton is known by name as {}; name it in a mapping file",
-                                       fmt::join(missing, ", ")));
+    throw base::InputError(
+        "", "",
+        fmt::format("no joint of the skeleton is known by name as {}; say which they are in \"joint_roles\"",
+                    fmt::join(missing, ", ")));
   }
   requireChains(skeleton, roles);
   return roles;

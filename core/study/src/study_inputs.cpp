@@ -129,6 +129,9 @@ void forEachInput(AnyStudy& study, Visit visit) {
       visit(*input);
     }
   });
+  for (auto& motion : study.motions) {
+    visit(motion.file);
+  }
   for (auto& source : study.sources) {
     if (source.type == SourceType::list) {
       visit(source.list);

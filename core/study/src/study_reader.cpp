@@ -109,6 +109,28 @@ void readHuman(const Node& node, Study& study) {
   }
 }
 
+Motion readMotion(const Node& node, Names& motions) {
+  node.checkObject("a recorded motion", recordedKeys);
+  Motion motion;
+  motion.name = node["name"].name("a name");
+  motions.claim(node["name"], motion.name);
+  motion.description = readDescription(node);
+  motion.file.path = node["file"].name("a path");
+  if (const Node digits = node["sha256"]; digits.present()) {
+    motion.file.sha256 = sha256Text(digits);
+  }
+  if (const Node up = node["up"]; up.present()) {
+    motion.file.up = up.choice(upWords);
+  }
+  if (const Node inPlace = node["in_place"]; inPlace.present()) {
+    motion.inPlace = inPlace.boolean();
+  }
+  if (const Node roles = node["joint_roles"]; roles.present()) {
+    motion.jointRoles = readJointRoles(roles);
+  }
+  return motion;
+}
+
 std::array<int, 3> readCells(const Node& node) {
   const auto count = [](const Node& entry) { return static_cast<int>(entry.whole(1, 1000)); };
   if (node.isNumber()) {
@@ -332,6 +354,12 @@ void readLists(const Node& root, Study& study) {
   Names systems;
   Names poses;
   Names sources;
+  Names motions;
+  if (const Node list = root["motions"]; list.present()) {
+    for (const Node& motion : list.list("a list of recorded motions")) {
+      study.motions.push_back(readMotion(motion, motions));
+    }
+  }
   if (const Node organs = root["organs"]; organs.present()) {
     for (const Node& organ : organs.list("a list of organs")) {
       study.organs.push_back(readOrgan(organ, structures));

@@ -14,8 +14,9 @@
 namespace lorica::study {
 
 inline constexpr auto studyKeys = std::to_array<std::string_view>(
-    {"lorica_study", "name", "description", "human", "organs", "armor", "poses", "run_poses", "sources", "models",
-     "trials", "seed", "stop", "overlap", "analyses", "site_spacing_mm", "skinning", "deformer", "display"});
+    {"lorica_study", "name",      "description",     "human",    "motions",  "organs", "armor",
+     "poses",        "run_poses", "sources",         "models",   "trials",   "seed",   "stop",
+     "overlap",      "analyses",  "site_spacing_mm", "skinning", "deformer", "display"});
 inline constexpr auto stopKeys = std::to_array<std::string_view>({"structures", "half_width", "max_trials"});
 inline constexpr auto analysesKeys =
     std::to_array<std::string_view>({"compare", "convergence", "directions", "motion", "gaps", "anatomy"});
@@ -27,6 +28,8 @@ inline constexpr auto anatomyKeys = std::to_array<std::string_view>({"draws", "s
 inline constexpr auto overlapKeys = std::to_array<std::string_view>({"policy", "order"});
 inline constexpr auto humanKeys = std::to_array<std::string_view>(
     {"file", "sha256", "units", "up", "builtin", "parts", "sex", "stature_m", "mass_kg", "joint_roles"});
+inline constexpr auto recordedKeys =
+    std::to_array<std::string_view>({"name", "description", "file", "sha256", "up", "in_place", "joint_roles"});
 inline constexpr auto organKeys = std::to_array<std::string_view>(
     {"name", "description", "file", "sha256", "units", "up", "builtin", "parts", "class", "joint", "lattice"});
 inline constexpr auto latticeKeys = std::to_array<std::string_view>({"layout", "cells", "cell_mm", "prune"});

@@ -90,6 +90,12 @@ void putMesh(Json& object, const MeshSource& mesh) {
   putNames(object, "parts", mesh.parts);
 }
 
+void putRoles(Json& object, const std::vector<human::RoleEntry>& roles) {
+  for (const human::RoleEntry& entry : roles) {
+    object["joint_roles"][entry.role] = entry.joints.size() == 1 ? Json(entry.joints.front()) : Json(entry.joints);
+  }
+}
+
 Json humanJson(const Study& study) {
   Json object = Json::object();
   putMesh(object, study.human);
@@ -98,9 +104,7 @@ Json humanJson(const Study& study) {
     object["stature_m"] = study.person.stature;
     object["mass_kg"] = study.person.mass;
   }
-  for (const human::RoleEntry& entry : study.jointRoles) {
-    object["joint_roles"][entry.role] = entry.joints.size() == 1 ? Json(entry.joints.front()) : Json(entry.joints);
-  }
+  putRoles(object, study.jointRoles);
   return object;
 }
 
@@ -108,6 +112,20 @@ Json named(const std::string& name, const std::string& description) {
   Json object;
   object["name"] = name;
   putText(object, "description", description);
+  return object;
+}
+
+Json motionJson(const Motion& motion) {
+  Json object = named(motion.name, motion.description);
+  object["file"] = motion.file.path;
+  putText(object, "sha256", motion.file.sha256);
+  if (motion.file.up) {
+    object["up"] = wordFor(*motion.file.up, upWords);
+  }
+  if (motion.inPlace) {
+    object["in_place"] = true;
+  }
+  putRoles(object, motion.jointRoles);
   return object;
 }
 
@@ -343,6 +361,7 @@ Json studyJson(const Study& study) {
   putText(root, "name", study.name);
   putText(root, "description", study.description);
   root["human"] = humanJson(study);
+  putList(root, "motions", study.motions, motionJson);
   putList(root, "organs", study.organs, organJson);
   putList(root, "armor", study.systems, systemJson);
   putList(root, "poses", study.poses, poseJson);

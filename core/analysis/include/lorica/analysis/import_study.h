@@ -27,7 +27,8 @@ struct ImportRequest {
   std::filesystem::path skin;
   std::vector<std::filesystem::path> organs;
   std::vector<ArmorRequest> armor;
-  bool split = false;  ///< each node of an organ file is a structure of its own
+  std::vector<std::filesystem::path> motions;  ///< recorded, for the body to do; each a clip named by the file's stem
+  bool split = false;                          ///< each node of an organ file is a structure of its own
   std::optional<base::LengthUnit> units;
   std::optional<char> up;           ///< 'y' or 'z'
   std::filesystem::path studyFile;  ///< where the study will be saved: inputs are named relative to it

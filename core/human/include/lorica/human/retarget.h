@@ -17,6 +17,11 @@ struct Actor {
 struct Retargeted {
   Clip clip;            ///< on the doer's skeleton, with the keys of the given clip
   double turned = 0.0;  ///< degrees about the vertical, counter-clockwise from above, that make it begin facing ahead
+  double travelled = 0.0;  ///< metres, farthest along the floor from where it begins; of a motion in place too
+};
+
+struct RetargetOptions {
+  bool inPlace = false;  ///< the pelvis stays over where it rests, as on a treadmill
 };
 
 /// Every part of the doer lies in the room as the same part of the one shown: the same bones point the same way,
@@ -26,6 +31,6 @@ struct Retargeted {
 /// comes in the whole motion is the floor, and feet that are on it there are on it here. The motion is turned so that
 /// it begins facing ahead. Both skeletons stand upright along y at rest. Cost: about 30 us a key. Thread-safe. \pre the
 /// clip has at least one key; each role map is one of its skeleton \throw base::InputError when a limb has no length
-Retargeted retarget(const Clip& clip, const Actor& shown, const Actor& doer);
+Retargeted retarget(const Clip& clip, const Actor& shown, const Actor& doer, const RetargetOptions& options = {});
 
 }  // namespace lorica::human

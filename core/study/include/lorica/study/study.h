@@ -82,6 +82,17 @@ struct ArmorSystem {
   bool operator==(const ArmorSystem&) const = default;
 };
 
+/// A recorded motion that the body does, as one more of its clips.
+struct Motion {
+  std::string name;  ///< of the clip
+  InputFile file{};  ///< BVH; without units
+  /// What the joints of the recorded skeleton stand for, where their names do not say it.
+  std::vector<human::RoleEntry> jointRoles{};
+  bool inPlace = false;       ///< the pelvis stays over where it rests
+  std::string description{};  ///< free text
+  bool operator==(const Motion&) const = default;
+};
+
 /// Turns of joints against rest, degrees about the scene's axes, x then y then z; each joint at most once.
 struct TurnedPose {
   struct Turn {
@@ -230,6 +241,7 @@ struct Study {
   human::Person person;  ///< whom a built-in human stands for
   /// What the joints of a file's skeleton stand for, where their names do not say it: the task motions run on them.
   std::vector<human::RoleEntry> jointRoles;
+  std::vector<Motion> motions;  ///< beside the clips that the body has
   std::vector<Organ> organs;
   std::vector<ArmorSystem> systems;  ///< `unarmored` is always computed and not listed
   std::vector<Pose> poses;           ///< beside `rest`
