@@ -101,7 +101,7 @@ TEST(FindRoles, NamesEveryMissingRoleAndTheWayOut) {
     FAIL();
   } catch (const base::InputError& error) {
     const std::string text = error.text();
-    for (const char* expected : {"wrist_left", "wrist_right", "knee_left", "knee_right", "mapping file"}) {
+    for (const char* expected : {"wrist_left", "wrist_right", "knee_left", "knee_right", "joint_roles"}) {
       EXPECT_NE(text.find(expected), std::string::npos) << text;
     }
     EXPECT_EQ(text.find("elbow"), std::string::npos) << text;

@@ -74,7 +74,7 @@ base::Issues checkMotion(const std::filesystem::path& path) {
   try {
     human::findRoles(motion.skeleton);
   } catch (const base::InputError& error) {
-    issues.push_back({Severity::warning, file, error.place(), error.text() + " of a study that uses the motion"});
+    issues.push_back({Severity::warning, file, error.place(), error.text()});
   }
   return issues;
 }

@@ -35,7 +35,7 @@ struct Recorded {
       if (!wanted().jointRoles.empty()) {
         fail("/joint_roles/" + error.place(), error.text());
       }
-      throw base::InputError(path().string(), error.place(), error.text() + " of the motion in the study");
+      throw base::InputError(path().string(), error.place(), error.text());
     }
   }
 
