@@ -80,9 +80,7 @@ base::Issues openStructures(const LoadedStudy& study) {
 
 /// What sources are aimed at when the body is at rest.
 Aim restAim(const LoadedStudy& study) {
-  Aim aim;
-  aim.skins.emplace_back(study.body->body().skin.positions);
-  aim.boxOf = [&study](const std::string& structure) {
+  const auto boxOf = [&study](const std::string& structure) {
     for (const auto& organ : study.organs) {
       if (organ->name == structure) {
         return geometry::bounds(organ->rig.rest.positions);
@@ -95,7 +93,7 @@ Aim restAim(const LoadedStudy& study) {
     }
     return geometry::Box3d();
   };
-  return aim;
+  return {PosedSkins(study.body->body().skin.positions), boxOf};
 }
 
 base::Issues checkStudy(const std::filesystem::path& path, base::Threads threads, const base::Progress& progress) {
