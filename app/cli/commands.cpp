@@ -116,7 +116,12 @@ int compareRuns(const fs::path& first, const fs::path& second, const fs::path& o
                                      second / "provenance.json"};
   refuseToOverwrite(out, inputs);
   const analysis::RunComparisons compared = analysis::compareRuns(first, second);
-  base::writeFileAtomically(out, analysis::runComparisonsCsv(compared.rows));
+  base::writeFileAtomically(out, analysis::runComparisonsCsv(compared));
+  for (const auto& [partial, run] : {std::pair(compared.partialFirst, first), {compared.partialSecond, second}}) {
+    if (partial) {
+      fmt::print(stderr, "{}: the run was cut short; what it finished is compared\n", run.string());
+    }
+  }
   const auto apart = std::count_if(compared.rows.begin(), compared.rows.end(),
                                    [](const auto& row) { return row.pHolm && *row.pHolm < 0.05; });
   fmt::print("{}: {} comparisons by {}; {} differ at 5 % after Holm; {} structures are in one run only\n", out.string(),

@@ -15,36 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Folders that were not there before; unless they are kept, those that are empty go again.
-class NewFolders {
- public:
-  ~NewFolders() {
-    std::error_code ignored;
-    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) {
-      fs::remove(*folder, ignored);
-    }
-  }
-  NewFolders() = default;
-  NewFolders(const NewFolders&) = delete;
-  NewFolders& operator=(const NewFolders&) = delete;
-
-  /// Notes which of the folder and those above it are still to be made.
-  void willMake(const fs::path& folder) {
-    std::error_code ignored;
-    if (folder.empty() || fs::exists(folder, ignored)) {
-      return;
-    }
-    willMake(folder.parent_path());
-    if (made_.empty() || made_.back() != folder) {
-      made_.push_back(folder);
-    }
-  }
-  void keep() { made_.clear(); }
-
- private:
-  std::vector<fs::path> made_;  ///< outer ones first
-};
-
 human::Person personOf(const GenerateArguments& arguments) {
   if (arguments.stature && arguments.mass) {
     return {arguments.sex, *arguments.stature, *arguments.mass};
@@ -92,7 +62,7 @@ int generateHuman(const GenerateArguments& arguments) {
     fmt::print(stderr, "lorica-cli: {}; see lorica-cli generate human --help\n", text);
     return wrongUsage;
   }
-  NewFolders folders;
+  base::NewFolders folders;
   folders.willMake(arguments.out);
   base::requireWritableFolder(arguments.out);
   manikin::Human human;
@@ -105,7 +75,6 @@ int generateHuman(const GenerateArguments& arguments) {
     }
     base::writeFilesAtomically(files);
   }
-  folders.keep();
   say(human, arguments.out);
   return done;
 }

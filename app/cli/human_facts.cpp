@@ -29,8 +29,8 @@ Json differencePct(double value, double target) {
 
 Json personFacts(const human::Person& person) {
   return {{"sex", person.sex == human::Sex::male ? "male" : "female"},
-          {"stature_m", person.stature},
-          {"mass_kg", person.mass}};
+          {"stature_m", rounded(person.stature, 4)},
+          {"mass_kg", rounded(person.mass, 2)}};
 }
 
 Json bodyFacts(const manikin::Human& human) {
@@ -60,11 +60,11 @@ Json dimensionFacts(const manikin::Body& body) {
 Json massFacts(const manikin::Body& body) {
   const double mass = manikin::measuredMass(body);
   return {{"measured_kg", rounded(mass, 2)},
-          {"target_kg", body.person.mass},
+          {"target_kg", rounded(body.person.mass, 2)},
           {"difference_pct", differencePct(mass, body.person.mass)},
           {"volume_m3", rounded(geometry::signedVolume(body.skin), 6)},
           {"lung_air_m3", rounded(manikin::lungAir(body.person), 6)},
-          {"density_kg_m3", manikin::meanDensity(body.person.sex)},
+          {"density_kg_m3", rounded(manikin::meanDensity(body.person.sex), 1)},
           {"method",
            "(volume inside the skin - air in the lungs) x mean density of the body without that air; the air is the "
            "reference adult's lung volume less its tissue, with the cube of stature"},

@@ -72,6 +72,21 @@ void sayHowManyNotes(const base::Issues& issues) {
   }
 }
 
+/// What the study and the user ask for beside the tables of a finished run. \throw base::Cancelled
+void writeMore(const RunArguments& arguments, const analysis::LoadedStudy& study, const analysis::RunResult& result,
+               const analysis::RunOptions& options) {
+  const study::Analyses& wanted = study.study.analyses;
+  if ((wanted.directions || wanted.motion || wanted.gaps || wanted.anatomy) && !result.partial) {
+    Stage stage("analyses", arguments.quiet);
+    analysis::writeAnalyses(study, result, options, arguments.out, stage.progress());
+  }
+  if (!arguments.hits.empty() && !result.partial) {
+    Stage stage("writing every shot", arguments.quiet);
+    analysis::writeHits(study, result, arguments.hits == "csv" ? analysis::HitFormat::csv : analysis::HitFormat::vtp,
+                        arguments.out, options.threads, stage.progress());
+  }
+}
+
 }  // namespace
 
 int runStudy(const RunArguments& arguments) {
@@ -94,6 +109,8 @@ int runStudy(const RunArguments& arguments) {
     fmt::print("{}", analysis::shotReport(study, analysis::planRun(study, options), shot, options.threads));
     return done;
   }
+  base::NewFolders folders;
+  folders.willMake(arguments.out);
   base::requireWritableFolder(arguments.out);
   analysis::RunResult result;
   {
@@ -101,15 +118,12 @@ int runStudy(const RunArguments& arguments) {
     result = analysis::run(study, options, stage.progress());
   }
   analysis::writeResults(study, result, arguments.out);
-  const study::Analyses& wanted = study.study.analyses;
-  if ((wanted.directions || wanted.motion || wanted.gaps || wanted.anatomy) && !result.partial) {
-    Stage stage("analyses", arguments.quiet);
-    analysis::writeAnalyses(study, result, options, arguments.out, stage.progress());
-  }
-  if (!arguments.hits.empty() && !result.partial) {
-    Stage stage("writing every shot", arguments.quiet);
-    analysis::writeHits(study, result, arguments.hits == "csv" ? analysis::HitFormat::csv : analysis::HitFormat::vtp,
-                        arguments.out, options.threads, stage.progress());
+  try {
+    writeMore(arguments, study, result, options);
+  } catch (const base::Cancelled&) {
+    // The tables that are there are whole; the folder is not.
+    result.partial = true;
+    analysis::writeProvenance(study, result, arguments.out);
   }
   printIssues(result.issues, false);
   if (!arguments.quiet) {

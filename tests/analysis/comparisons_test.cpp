@@ -12,6 +12,7 @@
 #include "lorica/analysis/posed_scene.h"
 #include "lorica/analysis/results.h"
 #include "lorica/base/error.h"
+#include "lorica/base/table.h"
 #include "lorica/study/study_file.h"
 
 namespace lorica::analysis {
@@ -147,6 +148,43 @@ TEST(AnalysisTables, HaveOneFieldPerColumnAndTheRowsOfTheirStructures) {
       ASSERT_EQ(std::count(line.begin(), line.end(), ','), columns) << line;
     }
     EXPECT_GT(linesOf(text), 10U);
+  }
+}
+
+TEST(AnalysisTables, StateTheIntegersBehindEveryCoverage) {
+  LoadedStudy moving = sample();
+  moving.study.analyses.motion = study::MotionSettings{"toe_touch", 60, 30.0};
+  RunOptions options = quick();
+  options.shots = 2000;
+  options.trials = 1;
+  const MotionResult motion = overMotion(moving, options);
+  struct Stated {
+    std::string text;
+    const char* coverage;
+    const char* any;
+    const char* guarded;
+  };
+  const std::string compared = comparisonsCsv(comparisons(sample(), result()));
+  for (const Stated& stated :
+       {Stated{compared, "coverage_first", "any_hit_first", "protected_hit_first"},
+        {compared, "coverage_second", "any_hit_second", "protected_hit_second"},
+        {piecesCsv(sample(), result()), "coverage", "any_hit", "protected_hit"},
+        {systemsCsv(sample(), result()), "coverage", "any_hit", "protected_hit"},
+        {convergenceCsv(sample(), result()), "coverage", "any_hit", "protected_hit"},
+        {motionCsv(moving, motion), "coverage", "any_hit", "protected_hit"},
+        {motionSummaryCsv(moving, motion), "coverage_lowest", "worst_any_hit", "worst_protected_hit"}}) {
+    const base::Table table(stated.text, stated.any);
+    std::size_t hit = 0;
+    for (std::size_t r = 0; r < table.rows(); ++r) {
+      EXPECT_GT(table.number(r, "shots"), 0.0);
+      const double any = table.number(r, stated.any);
+      ASSERT_EQ(table.text(r, stated.coverage).empty(), any == 0.0);
+      if (any > 0.0) {
+        ++hit;
+        ASSERT_NEAR(table.number(r, stated.coverage), table.number(r, stated.guarded) / any, 6e-7);
+      }
+    }
+    EXPECT_GT(hit, 0U);
   }
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +12,7 @@
 #include "lorica/analysis/shot_paths.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
+#include "lorica/geometry/measures.h"
 #include "lorica/study/study_file.h"
 #include "temporary_folder.h"
 
@@ -103,6 +106,49 @@ TEST(Sources, AListIsReadWithTheStudyAndShotAsItStands) {
   EXPECT_FALSE(row(rows, "listed", "body").coverageInterval().has_value()) << "nothing was drawn at random";
   base::writeFileAtomically(folder / "shots.csv", "x,y,z,az,el\n0,1.25,5,0,zero\n");
   EXPECT_THROW(load(listed, folder / "a.lorica.json", {}, {}, reuse), base::InputError);
+}
+
+TEST(Sources, AimAtAnOrganWhereItIsShot) {
+  const LoadedStudy study = shotFrom(R"([{"name": "a", "position": [0, 1, 5], "target_structure": "stomach"}])");
+  ASSERT_NE(study.softBody, nullptr) << "the default deformer moves the organs together";
+  RunOptions options = quick();
+  options.poses = {"toe_touch@2"};
+  const RunResult plan = planRun(study, options);
+  const PosedScene scene(study, plan.models, resolvePose(study, "toe_touch@2").pose, raycast::SceneUse::manyRays, {});
+  const auto organ = std::find_if(study.organs.begin(), study.organs.end(),
+                                  [](const auto& candidate) { return candidate->name == "stomach"; });
+  geometry::Box3d box;
+  for (std::size_t m = 0; m < plan.models.size(); ++m) {
+    box.extend(geometry::bounds(scene.organ(static_cast<std::size_t>(organ - study.organs.begin()), m)));
+  }
+  EXPECT_EQ(std::get<shotline::PointSource>(plan.sources.at(0).source.shape).target, box.center());
+}
+
+TEST(Sources, BoundTheBodyOverMorePosesThanAreKept) {
+  const LoadedStudy study = shotFrom(R"([{"name": "a", "position": [0, 1, 5]},
+      {"name": "b", "type": "parallel", "azimuth_deg": 40, "elevation_deg": 10}, {"name": "c", "type": "sphere"}])");
+  RunOptions options = quick();
+  options.poses.clear();
+  for (int frame = 0; frame < 120; ++frame) {
+    options.poses.push_back(fmt::format("toe_touch@{:.3f}", frame / 30.0));
+  }
+  const std::size_t bytes = 120 * study.body->body().skin.positions.size() * sizeof(geometry::Vec3f);
+  ASSERT_GT(bytes, 16U << 20U) << "or all skins would be kept";
+  const RunResult plan = planRun(study, options);
+  std::vector<geometry::Positions> skins;
+  geometry::Box3d box;
+  for (const std::string& pose : options.poses) {
+    skins.push_back(study.body->pose(resolvePose(study, pose).pose, {}).skin);
+    box.extend(geometry::bounds(skins.back()));
+  }
+  const std::vector<std::span<const geometry::Vec3f>> all(skins.begin(), skins.end());
+  const auto& point = std::get<shotline::PointSource>(plan.sources.at(0).source.shape);
+  EXPECT_EQ(point.target, box.center());
+  EXPECT_EQ(point.halfAngle, shotline::boundingHalfAngle(point.position, point.target, all));
+  const auto& beam = std::get<shotline::ParallelBeam>(plan.sources.at(1).source.shape);
+  EXPECT_EQ(beam.radius, shotline::boundingRadius(beam.centre, shotline::towards(beam.azimuth, beam.elevation), all));
+  const auto& band = std::get<shotline::DirectionBand>(plan.sources.at(2).source.shape);
+  EXPECT_EQ(band.radius, shotline::boundingRadius(band.centre, all));
 }
 
 std::string complaint(const std::string& sources) {

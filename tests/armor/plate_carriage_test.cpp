@@ -99,7 +99,7 @@ parenting::PosedBody posedBody(Positions skin) {
 
 Positions posedPiece(const PieceRig& piece, const parenting::PosedBody& body) {
   Positions posed(piece.rest.positions.size());
-  posePiece(piece, body, {}, posed, {});
+  posePiece(piece, body, posed, {});
   return posed;
 }
 

@@ -230,6 +230,24 @@ TEST(ReadFile, OfAFileThatIsBeingReplacedIsTheOldOrTheNewOne) {
   EXPECT_EQ(tornReads([](const fs::path& path) { return readFile(path); }), 0);
 }
 
+TEST(NewFolders, TakeAwayWhatTheyMadeUnlessItHoldsSomething) {
+  const Folder folder;
+  fs::create_directories(folder / "old");
+  {
+    NewFolders made;
+    made.willMake(folder / "a/b");
+    made.willMake(folder / "old");
+    made.willMake(folder / "kept/below");
+    requireWritableFolder(folder / "a/b");
+    writeFileAtomically(folder / "kept/file", "bytes");
+    requireWritableFolder(folder / "kept/below");
+  }
+  EXPECT_FALSE(fs::exists(folder / "a"));
+  EXPECT_TRUE(fs::exists(folder / "old")) << "it was there before";
+  EXPECT_TRUE(fs::exists(folder / "kept/file"));
+  EXPECT_FALSE(fs::exists(folder / "kept/below"));
+}
+
 TEST(RequireWritableFolder, MakesItAndLeavesItEmpty) {
   const Folder folder;
   requireWritableFolder(folder / "a/b");

@@ -121,9 +121,8 @@ void poseArmor(benchmark::State& state) {
     posed.emplace_back(piece->rig.rest.positions.size());
   }
   for (auto _ : state) {
-    const human::SkinningDeltas deltas = armor::pieceDeltas(*sample().body, pose);
     for (std::size_t p = 0; p < posed.size(); ++p) {
-      armor::posePiece(sample().pieces[p]->rig, body, deltas, posed[p], {2});
+      armor::posePiece(sample().pieces[p]->rig, body, posed[p], {2});
     }
   }
 }

@@ -193,6 +193,35 @@ TEST_F(Commands, AcceptInputsTakesAChangedFile) {
   EXPECT_EQ(run("run made.lorica.json --quiet --out out --trials 1 --shots 100").code, 0);
 }
 
+/// A box as OBJ, standing on y = 0 around the axis; without its last faces it is open.
+std::string boxObj(double halfWidth, double height, double halfDepth, std::size_t faces = 6) {
+  std::ostringstream text;
+  for (const int corner : {0, 1, 2, 3, 4, 5, 6, 7}) {
+    text << "v " << (corner & 1 ? halfWidth : -halfWidth) << ' ' << (corner & 2 ? height : 0.1) << ' '
+         << (corner & 4 ? halfDepth : -halfDepth) << '\n';
+  }
+  const std::vector<std::string> sides{"1 3 4 2", "5 6 8 7", "1 5 7 3", "2 4 8 6", "1 2 6 5", "3 7 8 4"};
+  for (std::size_t f = 0; f < faces; ++f) {
+    text << "f " << sides[f] << '\n';
+  }
+  return text.str();
+}
+
+TEST_F(Commands, CheckNamesEachStructureThatDoesNotCloseWithItsOpenEdges) {
+  write("skin.obj", boxObj(0.3, 1.8, 0.2));
+  write("liver.obj", boxObj(0.1, 0.3, 0.1));
+  write("heart.obj", boxObj(0.1, 0.4, 0.1, 5));
+  ASSERT_EQ(run("import skin.obj liver.obj heart.obj --units m --up y --out s.lorica.json").code, 0);
+  const Outcome outcome = run("check s.lorica.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
+  EXPECT_NE(outcome.out.find("s.lorica.json:heart: warning: 1 of its 1 piece(s) do not close: 4 boundary edges"),
+            std::string::npos)
+      << outcome.out;
+  for (const char* closed : {"s.lorica.json:body: warning", "s.lorica.json:liver: warning"}) {
+    EXPECT_EQ(outcome.out.find(closed), std::string::npos) << outcome.out;
+  }
+}
+
 TEST_F(Commands, WhatIsWrittenNeverReplacesWhatIsRead) {
   writeSample();
   const std::string before = read("s.lorica.json");
@@ -237,7 +266,28 @@ TEST_F(Commands, InterruptStopsWithinASecondAndLeavesAResultThatSaysItIsPartial)
   EXPECT_EQ(WEXITSTATUS(status), 4);
   EXPECT_LT(seconds, 5.0) << "a second on a quiet machine, more under a sanitizer";
   EXPECT_EQ(nlohmann::json::parse(read("out/provenance.json"))["partial"], true);
-  EXPECT_FALSE(read("out/summary.csv").empty());
+  for (const char* table : {"summary.csv", "trials.csv", "deformation.csv", "contacts.csv", "room.csv"}) {
+    std::istringstream lines(read(std::string("out/") + table));
+    std::string line;
+    ASSERT_TRUE(std::getline(lines, line)) << table;
+    EXPECT_TRUE(line.ends_with(",partial")) << line;
+    while (std::getline(lines, line)) {
+      ASSERT_TRUE(line.ends_with(",yes")) << line;
+    }
+  }
+}
+
+TEST_F(Commands, ARunThatFailsLeavesNoFolderBehind) {
+  auto study = nlohmann::json::parse(run("template sample").out);
+  study["analyses"] = {{"gaps", {{"structures", {"gall_bladder"}}}}};
+  write("s.lorica.json", study.dump());
+  expectOneClearLine(run("run s.lorica.json --quiet --out made/out --pose rest --trials 1 --shots 100"),
+                     {"gall_bladder"});
+  EXPECT_FALSE(exists("made"));
+  fs::create_directories(folder_ / "there");
+  expectOneClearLine(run("run s.lorica.json --quiet --out there --pose rest --trials 1 --shots 100"), {"gall_bladder"});
+  EXPECT_TRUE(exists("there"));
+  EXPECT_TRUE(fs::is_empty(folder_ / "there"));
 }
 
 }  // namespace

@@ -134,6 +134,28 @@ TEST_F(CompareRuns, OnTheSameSeedTakesTrialsInPairs) {
   EXPECT_GT(std::stod(low.at("heart")), 0.09);
 }
 
+TEST_F(CompareRuns, StatesTheCountsBehindItsMeansAndThatARunWasCutShort) {
+  const std::string rows = row("dynamic", 1, "heart", "organ", 10, 4) + row("dynamic", 2, "heart", "organ", 12, 7);
+  writeRun("a", 1, rows);
+  writeRun("b", 2, rows);
+  ASSERT_EQ(run("compare a b --out whole.csv").code, 0);
+  const auto count = [&](const char* column, const char* measure) {
+    return columnOf(read("whole.csv"), column, measure).at("heart");
+  };
+  EXPECT_EQ(count("hits_first", "pct_of_shots"), "22");
+  EXPECT_EQ(count("of_first", "pct_of_shots"), "20000");
+  EXPECT_EQ(count("hits_second", "coverage"), "11");
+  EXPECT_EQ(count("of_second", "coverage"), "22");
+  EXPECT_EQ(read("whole.csv").find("partial"), std::string::npos);
+  write("b/provenance.json", R"({"seed": 2, "partial": true})");
+  const Outcome outcome = run("compare a b --out part.csv");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("b: the run was cut short"), std::string::npos) << outcome.err;
+  EXPECT_EQ(columnOf(read("part.csv"), "partial", "coverage").at("heart"), "yes");
+  write("b/provenance.json", R"({"seed": 2, "partial": "no"})");
+  expectOneClearLine(run("compare a b --out c.csv"), {"b/provenance.json", "/partial", "true or false"});
+}
+
 TEST_F(CompareRuns, SaysInOneLineWhatItCannotCompare) {
   const std::string sound = row("dynamic", 1, "heart", "organ", 10, 5) + row("dynamic", 2, "heart", "organ", 11, 5);
   writeRun("a", 1, sound);

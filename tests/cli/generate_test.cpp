@@ -61,9 +61,26 @@ void Generate::holdsTheWholeHuman() const {
   EXPECT_FALSE(io::importModel(folder_ / "her" / "armor" / "helmet" / "helmet.glb").parts.at(0).weights);
 }
 
+/// Decimals of the number with most of them, in the text of a JSON value.
+std::size_t mostDecimals(const Json& value) {
+  std::size_t most = 0;
+  if (value.is_structured()) {
+    for (const Json& below : value) {
+      most = std::max(most, mostDecimals(below));
+    }
+  } else if (value.is_number_float()) {
+    const std::string text = value.dump();
+    EXPECT_EQ(text.find('e'), std::string::npos) << text;
+    most = text.size() - 1 - std::min(text.find('.'), text.size() - 1);
+  }
+  return most;
+}
+
 void Generate::saysWhatWasMeasured() const {
   const Json facts = Json::parse(read("her/facts.json"));
   EXPECT_EQ(facts["person"], (Json{{"sex", "female"}, {"stature_m", 1.6}, {"mass_kg", 58.0}}));
+  EXPECT_LE(mostDecimals(facts), 6U) << "more than the quantities support";
+  EXPECT_EQ(facts["mass"]["target_kg"], 58.0);
   for (const Json& dimension : facts["dimensions"]) {
     const double off = dimension["measured_m"].get<double>() / dimension["target_m"].get<double>() - 1.0;
     EXPECT_LT(std::abs(off), 0.06) << dimension["name"];
@@ -122,13 +139,13 @@ void Generate::becomesAStudyThatRuns() const {
 
 // One test for all of it: a human takes some ten seconds to make.
 TEST_F(Generate, WritesAHumanThatOtherCommandsTake) {
-  const Outcome outcome = run("generate human --sex female --stature 1.60 --mass 58 --out her");
+  const Outcome outcome = run("generate human --sex female --stature 1.6000000001 --mass 58.0000000001 --out her");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   holdsTheWholeHuman();
   saysWhatWasMeasured();
   becomesAStudyThatRuns();
-  ASSERT_EQ(run("generate human --sex female --stature 1.60 --mass 58 --out again").code, 0);
+  ASSERT_EQ(run("generate human --sex female --stature 1.6000000001 --mass 58.0000000001 --out again").code, 0);
   EXPECT_EQ(filesBelow("again"), filesBelow("her"));
 }
 

@@ -15,5 +15,10 @@ TEST(CsvRow, QuotesOnlyWhatHoldsACommaAQuoteOrALineBreak) {
   EXPECT_EQ(row({}), "\n");
 }
 
+TEST(CsvWithColumn, EndsEveryRowButNoLineWithinAField) {
+  const std::string table = row({"name", "n"}) + row({"two\nlines, \"so\"", "1"}) + row({"plain", ""});
+  EXPECT_EQ(csvWithColumn(table, "partial", "yes"), "name,n,partial\n\"two\nlines, \"\"so\"\"\",1,yes\nplain,,yes\n");
+}
+
 }  // namespace
 }  // namespace lorica::io

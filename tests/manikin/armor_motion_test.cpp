@@ -181,12 +181,11 @@ TEST_P(ArmorInMotion, StaysOnTheSkinThroughEveryTask) {
     for (int frame = 1; frame <= kFrames; ++frame) {
       const human::Pose pose = human::sample(clip, who.body.skeleton, clip.duration() * frame / (kFrames + 1));
       const parenting::PosedBody posed = who.rig.pose(pose, kTwo);
-      const auto deltas = armor::pieceDeltas(who.rig, pose);
       const PosedSkin skin(who.rig, posed.skin);
       for (std::size_t p = 0; p < who.pieces.size(); ++p) {
         const ArmorPiece& piece = *who.pieces[p].piece;
         geometry::Positions moved(piece.mesh.positions.size());
-        armor::posePiece(who.pieces[p].rig, posed, deltas, moved, kTwo);
+        armor::posePiece(who.pieces[p].rig, posed, moved, kTwo);
         Strain strain = measure(piece, moved, skin);
         strain.creased = soft(piece) ? creases(piece.mesh, moved) : 0.0;
         strains[p].add(strain);

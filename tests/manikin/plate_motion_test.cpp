@@ -138,7 +138,7 @@ class Wearer {
 
   Fit fit(const Worn& plate, const armor::PieceRig& carried, const parenting::PosedBody& posed) const {
     geometry::Positions moved(carried.rest.positions.size());
-    armor::posePiece(carried, posed, {}, moved, kTwo);
+    armor::posePiece(carried, posed, moved, kTwo);
     const std::vector<double> distances = trunk_.distances(posed.skin, moved);
     Fit fit;
     for (const double distance : distances) {

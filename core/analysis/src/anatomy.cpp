@@ -313,7 +313,7 @@ std::string anatomyCsv(const LoadedStudy& study, const RunResult& run, const Ana
   std::string text =
       "source,system,model,pose,structure,kind,class,displacement,sd_left_mm,sd_up_mm,sd_forward_mm,draws,held_back,"
       "draws_hit,coverage,coverage_lo,coverage_hi,coverage_p05,coverage_p50,coverage_p95,pct_of_shots,"
-      "pct_of_shots_p05,pct_of_shots_p50,pct_of_shots_p95\n";
+      "pct_of_shots_p05,pct_of_shots_p50,pct_of_shots_p95,shots,any_hit,protected_hit\n";
   std::vector<ResultRow> counted;
   std::tuple<std::size_t, std::size_t> at{SIZE_MAX, SIZE_MAX};
   for (const AnatomyRow& row : result.rows) {
@@ -349,6 +349,9 @@ std::string anatomyCsv(const LoadedStudy& study, const RunResult& run, const Ana
     fields.push_back(io::csvNumber(here.percentOfShots()));
     for (const double probability : {0.05, 0.5, 0.95}) {
       fields.push_back(io::csvNumber(quantile(row.percentOfShots, probability)));
+    }
+    for (const std::uint64_t count : {here.shots, here.count.any, here.count.shielded}) {
+      fields.push_back(std::to_string(count));
     }
     text += io::csvRow(fields);
   }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "lorica/analysis/loaded_study.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
@@ -79,11 +81,33 @@ base::Issues checkMotion(const std::filesystem::path& path) {
   return issues;
 }
 
+/// A line for each structure with patches that do not close.
+base::Issues openStructures(const LoadedStudy& study) {
+  base::Issues issues;
+  const auto judge = [&](const std::string& name, const geometry::TriangleMesh& mesh) {
+    const geometry::MeshAudit audit = geometry::audit(mesh);
+    const auto open = std::count_if(audit.components.begin(), audit.components.end(),
+                                    [](const geometry::Component& component) { return !component.closed; });
+    if (open > 0) {
+      issues.push_back({Severity::warning, study.file.string(), name,
+                        fmt::format("{} of its {} piece(s) do not close: {} boundary edges, {} edges that do not pair; "
+                                    "what is open counts hits, without thickness",
+                                    open, audit.components.size(), audit.boundaryEdges, audit.oddEdges)});
+    }
+  };
+  judge("body", study.body->body().skin);
+  for (const auto& organ : study.organs) {
+    judge(organ->name, organ->rig.rest);
+  }
+  for (const auto& piece : study.pieces) {
+    judge(piece->name, piece->rig.rest);
+  }
+  return issues;
+}
+
 /// What sources are aimed at when the body is at rest.
 Aim restAim(const LoadedStudy& study) {
-  Aim aim;
-  aim.skins.emplace_back(study.body->body().skin.positions);
-  aim.boxOf = [&study](const std::string& structure) {
+  const auto boxOf = [&study](const std::string& structure) {
     for (const auto& organ : study.organs) {
       if (organ->name == structure) {
         return geometry::bounds(organ->rig.rest.positions);
@@ -96,7 +120,7 @@ Aim restAim(const LoadedStudy& study) {
     }
     return geometry::Box3d();
   };
-  return aim;
+  return {PosedSkins(study.body->body().skin.positions), boxOf};
 }
 
 base::Issues checkStudy(const std::filesystem::path& path, base::Threads threads, const base::Progress& progress) {
@@ -107,6 +131,7 @@ base::Issues checkStudy(const std::filesystem::path& path, base::Threads threads
   }
   const LoadedStudy loaded = load(std::move(study), path, threads, progress);
   issues = loaded.issues;
+  base::append(issues, openStructures(loaded));
   if (loaded.study.sources.empty()) {
     issues.push_back({Severity::warning, path.string(), "/sources", "the study has no source to shoot from; add one"});
   }

@@ -9,6 +9,7 @@
 #include <set>
 #include <span>
 
+#include "lorica/analysis/results.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
 #include "lorica/base/table.h"
@@ -31,10 +32,41 @@ constexpr std::array<const char*, 6> keyColumns{"source", "system", "model", "po
 constexpr std::size_t systemColumn = 1;
 constexpr std::size_t poseColumn = 3;
 
+/// Counts of one trial.
 struct TrialValues {
-  double percentOfShots = 0.0;
-  std::optional<double> coverage;
+  std::uint64_t shots = 0;
+  std::uint64_t any = 0;
+  std::uint64_t guarded = 0;
 };
+
+/// What a measure is the share of, in one trial.
+struct Share {
+  std::uint64_t hits = 0;
+  std::uint64_t of = 0;
+};
+
+struct Measure {
+  const char* name;
+  double scale;
+  Share (*share)(const TrialValues&);
+
+  std::optional<double> operator()(const TrialValues& values) const {
+    const Share part = share(values);
+    return part.of == 0 ? std::nullopt
+                        : std::optional(scale * static_cast<double>(part.hits) / static_cast<double>(part.of));
+  }
+};
+
+constexpr std::array<Measure, 2> measures{{
+    {"pct_of_shots", 100.0,
+     [](const TrialValues& values) {
+       return Share{values.any, values.shots};
+     }},
+    {"coverage", 1.0,
+     [](const TrialValues& values) {
+       return Share{values.guarded, values.any};
+     }},
+}};
 
 struct Basis {
   std::string what;
@@ -46,6 +78,7 @@ struct Basis {
 struct RunTable {
   std::string file;
   std::uint64_t seed = 0;
+  bool partial = false;
   std::vector<Key> order;
   std::map<Key, std::map<std::uint64_t, TrialValues>> trials;
   std::map<std::string, Basis> bases;  ///< by source
@@ -69,11 +102,7 @@ class TrialReader {
       const std::uint64_t shots = whole("shots", 1);
       const std::uint64_t any = atMost("any_hit", shots, "shots");
       const std::uint64_t guarded = atMost("protected_hit", any, "any_hit");
-      TrialValues values;
-      values.percentOfShots = 100.0 * static_cast<double>(any) / static_cast<double>(shots);
-      if (any > 0) {
-        values.coverage = static_cast<double>(guarded) / static_cast<double>(any);
-      }
+      const TrialValues values{shots, any, guarded};
       auto [place, fresh] = run.trials.try_emplace(key);
       if (fresh) {
         run.order.push_back(key);
@@ -127,9 +156,10 @@ class TrialReader {
 };
 
 RunTable readRun(const fs::path& folder) {
-  const std::uint64_t seed = study::seedOfRun(folder / "provenance.json");
+  const study::RunOrigin origin = study::originOfRun(folder / "provenance.json");
   RunTable run = TrialReader(folder / "trials.csv").read();
-  run.seed = seed;
+  run.seed = origin.seed;
+  run.partial = origin.partial;
   return run;
 }
 
@@ -192,26 +222,33 @@ class Matching {
 struct Samples {
   std::vector<double> first;
   std::vector<double> second;
+  Share sumFirst;
+  Share sumSecond;
 };
 
-template <class Value>
 Samples samplesOf(const std::map<std::uint64_t, TrialValues>& first, const std::map<std::uint64_t, TrialValues>& second,
-                  bool paired, const Value& value) {
+                  bool paired, const Measure& value) {
   Samples samples;
+  const auto take = [&](const TrialValues& trial, std::vector<double>& values, Share& sum) {
+    const Share part = value.share(trial);
+    values.push_back(*value(trial));
+    sum.hits += part.hits;
+    sum.of += part.of;
+  };
   for (const auto& [trial, values] : first) {
     const auto other = second.find(trial);
     const std::optional<double> mine = value(values);
     const std::optional<double> theirs = other == second.end() ? std::nullopt : value(other->second);
     if (mine && (!paired || theirs)) {
-      samples.first.push_back(*mine);
+      take(values, samples.first, samples.sumFirst);
     }
     if (paired && mine && theirs) {
-      samples.second.push_back(*theirs);
+      take(other->second, samples.second, samples.sumSecond);
     }
   }
   for (const auto& [trial, values] : second) {
-    if (const std::optional<double> theirs = value(values); !paired && theirs) {
-      samples.second.push_back(*theirs);
+    if (!paired && value(values)) {
+      take(values, samples.second, samples.sumSecond);
     }
   }
   return samples;
@@ -230,6 +267,10 @@ void test(RunComparison& row, const Samples& samples, bool paired) {
   const stats::Moments second = momentsOf(samples.second);
   row.trialsFirst = samples.first.size();
   row.trialsSecond = samples.second.size();
+  row.hitsFirst = samples.sumFirst.hits;
+  row.ofFirst = samples.sumFirst.of;
+  row.hitsSecond = samples.sumSecond.hits;
+  row.ofSecond = samples.sumSecond.of;
   row.meanFirst = first.mean();
   row.meanSecond = second.mean();
   row.difference = row.meanFirst - row.meanSecond;
@@ -288,6 +329,8 @@ RunComparisons compareRuns(const fs::path& first, const fs::path& second) {
   checkBases(a, b);
   RunComparisons result;
   result.paired = a.seed == b.seed;
+  result.partialFirst = a.partial;
+  result.partialSecond = b.partial;
   const Matching matching(a, b);
   std::size_t matched = 0;
   for (const Key& key : a.order) {
@@ -297,10 +340,10 @@ RunComparisons compareRuns(const fs::path& first, const fs::path& second) {
       continue;
     }
     ++matched;
-    const auto add = [&](const char* measure, const auto& value) {
-      const Samples samples = samplesOf(a.trials.at(key), found->second, result.paired, value);
+    for (const Measure& measure : measures) {
+      const Samples samples = samplesOf(a.trials.at(key), found->second, result.paired, measure);
       if (samples.first.size() < 2 || samples.second.size() < 2) {
-        return;
+        continue;
       }
       RunComparison row;
       row.source = key[0];
@@ -312,12 +355,10 @@ RunComparisons compareRuns(const fs::path& first, const fs::path& second) {
       row.poseSecond = other[3];
       row.structure = key[4];
       row.kind = key[5];
-      row.measure = measure;
+      row.measure = measure.name;
       test(row, samples, result.paired);
       result.rows.push_back(std::move(row));
-    };
-    add("pct_of_shots", [](const TrialValues& values) { return std::optional(values.percentOfShots); });
-    add("coverage", [](const TrialValues& values) { return values.coverage; });
+    }
   }
   result.unmatched = a.order.size() + b.order.size() - 2 * matched;
   if (result.rows.empty()) {
@@ -331,12 +372,12 @@ RunComparisons compareRuns(const fs::path& first, const fs::path& second) {
   return result;
 }
 
-std::string runComparisonsCsv(const std::vector<RunComparison>& rows) {
+std::string runComparisonsCsv(const RunComparisons& comparisons) {
   std::string text =
       "source,system_first,system_second,model_first,model_second,pose_first,pose_second,structure,kind,measure,"
       "trials_first,trials_second,mean_first,mean_second,difference,difference_lo,difference_hi,test,t,"
-      "degrees_of_freedom,p,p_holm\n";
-  for (const RunComparison& row : rows) {
+      "degrees_of_freedom,p,p_holm,hits_first,of_first,hits_second,of_second\n";
+  for (const RunComparison& row : comparisons.rows) {
     text += io::csvRow(std::array{row.source,
                                   row.systemFirst,
                                   row.systemSecond,
@@ -358,9 +399,13 @@ std::string runComparisonsCsv(const std::vector<RunComparison>& rows) {
                                   io::csvNumber(row.t),
                                   io::csvNumber(row.degreesOfFreedom),
                                   probability(row.p),
-                                  probability(row.pHolm)});
+                                  probability(row.pHolm),
+                                  std::to_string(row.hitsFirst),
+                                  std::to_string(row.ofFirst),
+                                  std::to_string(row.hitsSecond),
+                                  std::to_string(row.ofSecond)});
   }
-  return text;
+  return comparisons.partialFirst || comparisons.partialSecond ? markedPartial(text) : text;
 }
 
 }  // namespace lorica::analysis

@@ -145,8 +145,11 @@ void compareSystems(const Place& place, std::size_t model, std::size_t a, std::s
     row.first = place.result.systems[a];
     row.second = place.result.systems[b];
     row.structure = target.name;
-    row.coverageFirst = coverageOf(target.in(place.sum, model, a));
-    row.coverageSecond = coverageOf(target.in(place.sum, model, b));
+    row.shots = place.sum.shots();
+    row.countFirst = target.in(place.sum, model, a);
+    row.countSecond = target.in(place.sum, model, b);
+    row.coverageFirst = coverageOf(row.countFirst);
+    row.coverageSecond = coverageOf(row.countSecond);
     const std::size_t pair = target.pairTarget(place.here.pairs, model);
     row.onlyFirst = place.here.pairs.onlyProtected(pair, a, b);
     row.onlySecond = place.here.pairs.onlyProtected(pair, b, a);
@@ -167,8 +170,11 @@ void compareModels(const Place& place, std::size_t system, std::size_t a, std::s
     row.first = viscera::name(place.result.models[a]);
     row.second = viscera::name(place.result.models[b]);
     row.structure = target.name;
-    row.coverageFirst = coverageOf(target.in(place.sum, a, system));
-    row.coverageSecond = coverageOf(target.in(place.sum, b, system));
+    row.shots = place.sum.shots();
+    row.countFirst = target.in(place.sum, a, system);
+    row.countSecond = target.in(place.sum, b, system);
+    row.coverageFirst = coverageOf(row.countFirst);
+    row.coverageSecond = coverageOf(row.countSecond);
     row.onlyFirst = place.here.pairs.onlyHit(*target.organ, a, b);
     row.onlySecond = place.here.pairs.onlyHit(*target.organ, b, a);
     place.testExactly(row);
@@ -215,7 +221,7 @@ std::string comparisonsCsv(const std::vector<Comparison>& rows) {
   std::string text =
       "comparison,source,pose,model_or_system,first,second,structure,coverage_first,coverage_second,only_first,"
       "only_second,mcnemar_p,mcnemar_p_holm,trials,difference,difference_lo,difference_hi,paired_t,paired_p,"
-      "paired_p_holm\n";
+      "paired_p_holm,shots,any_hit_first,protected_hit_first,any_hit_second,protected_hit_second\n";
   for (const Comparison& row : rows) {
     const auto end = [&](double stats::Interval::*which) {
       return row.interval ? io::csvNumber((*row.interval).*which) : std::string();
@@ -239,7 +245,12 @@ std::string comparisonsCsv(const std::vector<Comparison>& rows) {
                                   end(&stats::Interval::high),
                                   io::csvNumber(row.t),
                                   probability(row.pairedP),
-                                  probability(row.pairedHolm)});
+                                  probability(row.pairedHolm),
+                                  std::to_string(row.shots),
+                                  std::to_string(row.countFirst.any),
+                                  std::to_string(row.countFirst.shielded),
+                                  std::to_string(row.countSecond.any),
+                                  std::to_string(row.countSecond.shielded)});
   }
   return text;
 }
@@ -247,7 +258,7 @@ std::string comparisonsCsv(const std::vector<Comparison>& rows) {
 std::string piecesCsv(const LoadedStudy& study, const RunResult& result) {
   std::string text =
       "source,pose,model,system,piece,structure,any_hit,protected_hit,protected_by_it_alone,coverage,coverage_without,"
-      "share_of_coverage\n";
+      "share_of_coverage,shots\n";
   for (const SourcePoseResult& here : result.results) {
     const Tally sum = sumOf(here);
     for (std::size_t model = 0; !here.trials.empty() && model < result.models.size(); ++model) {
@@ -265,7 +276,8 @@ std::string piecesCsv(const LoadedStudy& study, const RunResult& result) {
                                         std::string(viscera::name(result.models[model])), result.systems[system],
                                         study.pieces[piece]->name, target.name, std::to_string(count.any),
                                         std::to_string(count.shielded), std::to_string(alone),
-                                        io::csvNumber(coverageOf(count)), io::csvNumber(coverageOf(without)), share});
+                                        io::csvNumber(coverageOf(count)), io::csvNumber(coverageOf(without)), share,
+                                        std::to_string(sum.shots())});
         }
       }
     }
@@ -274,7 +286,8 @@ std::string piecesCsv(const LoadedStudy& study, const RunResult& result) {
 }
 
 std::string convergenceCsv(const LoadedStudy& study, const RunResult& result) {
-  std::string text = "source,system,model,pose,structure,kind,trials,shots,coverage,coverage_lo,coverage_hi\n";
+  std::string text =
+      "source,system,model,pose,structure,kind,trials,shots,coverage,coverage_lo,coverage_hi,any_hit,protected_hit\n";
   for (std::size_t s = 0; s < result.results.size(); ++s) {
     RunResult part;
     part.sources = result.sources;
@@ -296,7 +309,8 @@ std::string convergenceCsv(const LoadedStudy& study, const RunResult& result) {
         text += io::csvRow(std::array{row.source, row.system, row.model, row.pose, row.structure, row.kind,
                                       std::to_string(trials), std::to_string(row.shots), io::csvNumber(row.coverage()),
                                       interval ? io::csvNumber(interval->low) : std::string(),
-                                      interval ? io::csvNumber(interval->high) : std::string()});
+                                      interval ? io::csvNumber(interval->high) : std::string(),
+                                      std::to_string(row.count.any), std::to_string(row.count.shielded)});
       }
     }
   }
@@ -321,7 +335,8 @@ std::string systemsCsv(const LoadedStudy& study, const RunResult& result) {
     }
   }
   std::string text =
-      "source,system,model,pose,pieces_area_m2,mass_kg,structure,kind,coverage,coverage_lo,coverage_hi\n";
+      "source,system,model,pose,pieces_area_m2,mass_kg,structure,kind,coverage,coverage_lo,coverage_hi,shots,"
+      "any_hit,protected_hit\n";
   for (const ResultRow& row : summaryRows(study, result)) {
     if (row.kind != "class" && row.structure != "body" && row.structure != "organs") {
       continue;
@@ -332,7 +347,8 @@ std::string systemsCsv(const LoadedStudy& study, const RunResult& result) {
     text += io::csvRow(std::array{row.source, row.system, row.model, row.pose, io::csvNumber(sum.area),
                                   io::csvNumber(sum.mass), row.structure, row.kind, io::csvNumber(row.coverage()),
                                   interval ? io::csvNumber(interval->low) : std::string(),
-                                  interval ? io::csvNumber(interval->high) : std::string()});
+                                  interval ? io::csvNumber(interval->high) : std::string(), std::to_string(row.shots),
+                                  std::to_string(row.count.any), std::to_string(row.count.shielded)});
   }
   return text;
 }

@@ -116,9 +116,16 @@ struct Course {
   std::size_t worst = 0;  ///< frame
   double worstTime = 0.0;
   std::optional<double> lowest;
+  shotline::Count countOfWorst;
+  std::uint64_t shots = 0;  ///< of all frames, like the count below
+  shotline::Count count;
 
-  void add(const FrameResult& frame, std::optional<double> coverage) {
+  void add(const FrameResult& frame, const ResultRow& row) {
+    const std::optional<double> coverage = row.coverage();
     ++frames;
+    shots += row.shots;
+    count.any += row.count.any;
+    count.shielded += row.count.shielded;
     if (!coverage) {
       return;
     }
@@ -126,6 +133,7 @@ struct Course {
     if (!lowest || *coverage < *lowest) {
       lowest = coverage;
       worst = frame.frame;
+      countOfWorst = row.count;
       worstTime = frame.seconds;
     }
   }
@@ -154,19 +162,21 @@ std::string motionSummaryCsv(const LoadedStudy& study, const MotionResult& resul
       if (course.frames == 0) {
         order.push_back(key);
       }
-      course.add(frame, row.coverage());
+      course.add(frame, row);
     }
   }
   std::string text =
       "source,system,model,structure,kind,frames,frames_hit,coverage_time_mean,coverage_lowest,worst_frame,"
-      "worst_time_s\n";
+      "worst_time_s,shots,any_hit,protected_hit,worst_any_hit,worst_protected_hit\n";
   for (const auto& key : order) {
     const Course& course = courses[key];
     const bool hit = course.lowest.has_value();
-    text += io::csvRow(std::array{key[0], key[1], key[2], key[3], key[4], std::to_string(course.frames),
-                                  std::to_string(course.points.size()), io::csvNumber(course.mean()),
-                                  io::csvNumber(course.lowest), hit ? std::to_string(course.worst) : std::string(),
-                                  hit ? fmt::format("{:.6f}", course.worstTime) : std::string()});
+    text += io::csvRow(std::array{
+        key[0], key[1], key[2], key[3], key[4], std::to_string(course.frames), std::to_string(course.points.size()),
+        io::csvNumber(course.mean()), io::csvNumber(course.lowest), hit ? std::to_string(course.worst) : std::string(),
+        hit ? fmt::format("{:.6f}", course.worstTime) : std::string(), std::to_string(course.shots),
+        std::to_string(course.count.any), std::to_string(course.count.shielded),
+        std::to_string(course.countOfWorst.any), std::to_string(course.countOfWorst.shielded)});
   }
   return text;
 }

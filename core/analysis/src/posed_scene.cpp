@@ -7,6 +7,21 @@
 
 namespace lorica::analysis {
 
+bool usesSoftBody(const LoadedStudy& study, viscera::OrganModel model) {
+  return study.softBody != nullptr && model == viscera::OrganModel::dynamic;
+}
+
+void placeOrgan(const LoadedStudy& study, std::size_t organ, viscera::OrganModel model,
+                const parenting::PosedBody& body, std::span<const geometry::Vec3f> softBody,
+                std::span<geometry::Vec3f> posed, base::Threads threads) {
+  const viscera::OrganRig& rig = study.organs[organ]->rig;
+  if (usesSoftBody(study, model)) {
+    study.softBody->place(organ, rig.rest.positions, softBody, body, posed, threads);
+  } else {
+    viscera::poseOrgan(rig, model, *study.body, body, posed, threads);
+  }
+}
+
 PosedScene::PosedScene(const LoadedStudy& study, std::vector<viscera::OrganModel> models,
                        const std::optional<human::Pose>& pose, raycast::SceneUse use, base::Threads threads)
     : study_(&study), models_(std::move(models)), scene_(use) {
@@ -44,38 +59,25 @@ PosedScene::PosedScene(const LoadedStudy& study, std::vector<viscera::OrganModel
 }
 
 void PosedScene::deform(const std::optional<human::Pose>& pose, base::Threads threads) {
-  const parenting::BodyRig& body = *study_->body;
-  body.poseInto(pose, threads, body_);
-  const human::SkinningDeltas deltas = armor::pieceDeltas(body, pose);
-  const bool soft = study_->softBody != nullptr;
-  const auto ofSoftBody = [&](std::size_t slot) {
-    return soft && models_[slot / study_->organs.size()] == viscera::OrganModel::dynamic;
-  };
-  const auto posePiece = [&](std::size_t p) {
-    armor::posePiece(study_->pieces[p]->rig, body_, deltas, pieces_[p], threads);
-  };
+  study_->body->poseInto(pose, threads, body_);
+  const auto modelOf = [&](std::size_t slot) { return models_[slot / study_->organs.size()]; };
+  const auto posePiece = [&](std::size_t p) { armor::posePiece(study_->pieces[p]->rig, body_, pieces_[p], threads); };
   const auto poseOrgan = [&](std::size_t slot) {
-    const std::size_t o = slot % study_->organs.size();
-    const viscera::OrganRig& organ = study_->organs[o]->rig;
-    if (ofSoftBody(slot)) {
-      study_->softBody->place(o, organ.rest.positions, softBody_, body_, organs_[slot], threads);
-    } else {
-      viscera::poseOrgan(organ, models_[slot / study_->organs.size()], body, body_, organs_[slot], threads);
-    }
+    placeOrgan(*study_, slot % study_->organs.size(), modelOf(slot), body_, softBody_, organs_[slot], threads);
   };
   const auto settle = [&] { softBody_ = study_->softBody->settle(body_, threads); };
 
   // Most pieces and organs are too small to occupy several threads by themselves, and so is the soft body at times.
   std::vector<std::function<void()>> first;
   std::vector<std::function<void()>> then;
-  if (soft && std::find(models_.begin(), models_.end(), viscera::OrganModel::dynamic) != models_.end()) {
+  if (std::any_of(models_.begin(), models_.end(), [&](auto model) { return usesSoftBody(*study_, model); })) {
     first.emplace_back(settle);
   }
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
     first.emplace_back([&posePiece, p] { posePiece(p); });
   }
   for (std::size_t slot = 0; slot < organs_.size(); ++slot) {
-    (ofSoftBody(slot) ? then : first).emplace_back([&poseOrgan, slot] { poseOrgan(slot); });
+    (usesSoftBody(*study_, modelOf(slot)) ? then : first).emplace_back([&poseOrgan, slot] { poseOrgan(slot); });
   }
   for (const auto* tasks : {&first, &then}) {
     base::parallelFor(tasks->size(), 1, threads, [&](std::size_t begin, std::size_t end) {

@@ -15,6 +15,22 @@ namespace lorica::analysis {
 using geometry::Vec3d;
 using geometry::Vec3f;
 
+void PosedSkins::add(geometry::Positions skin) {
+  box_.extend(geometry::bounds(skin));
+  const std::size_t size = skin.size() * sizeof(Vec3f);
+  if (kept_.size() == poses_ && (!again_ || bytes_ + size <= keptBytes)) {
+    bytes_ += size;
+    kept_.push_back(std::move(skin));
+  }
+  ++poses_;
+}
+
+void PosedSkins::forEach(const std::function<void(std::span<const Vec3f>)>& use) const {
+  for (std::size_t pose = 0; pose < poses_; ++pose) {
+    pose < kept_.size() ? use(kept_[pose]) : use(again_(pose));
+  }
+}
+
 namespace {
 
 /// What preparing one source needs.
@@ -42,11 +58,7 @@ Vec3d targetOf(const Preparing& p) {
     }
     return box.center();
   }
-  geometry::Box3d box;
-  for (const std::span<const Vec3f> skin : p.aim.skins) {
-    box.extend(geometry::bounds(skin));
-  }
-  return box.center();
+  return p.aim.skins.box().center();
 }
 
 /// Whether a point lies inside a posed skin.
@@ -72,24 +84,25 @@ shotline::PointSource preparePoint(const Preparing& p) {
   if (made.position == made.target) {
     p.fail("", "the source stands on its target; move one of them");
   }
-  for (const std::span<const Vec3f> skin : p.aim.skins) {
+  p.aim.skins.forEach([&](std::span<const Vec3f> skin) {
     if (inside(p.study, made.position, skin)) {
       p.fail("/position", "the source is inside the body; move it out");
     }
-  }
+    if (made.sampler == shotline::Sampler::cone) {
+      made.halfAngle =
+          std::max(made.halfAngle, shotline::boundingHalfAngle(made.position, made.target, std::span(&skin, 1)));
+    }
+  });
   if (made.sampler == shotline::Sampler::thesis) {
     p.issues.push_back({base::Severity::warning, "", p.wanted().name,
                         "the thesis' sampler (Eq 15) sends half of its shots backwards and its hit rate depends on the "
                         "world's axes; use it for comparison only"});
   } else if (made.sampler == shotline::Sampler::disk) {
     made.halfAngle = std::atan2(p.wanted().radius, (made.target - made.position).norm());
-  } else if (made.sampler == shotline::Sampler::cone) {
-    made.halfAngle = shotline::boundingHalfAngle(made.position, made.target, p.aim.skins);
-    if (made.halfAngle == std::numbers::pi) {
-      p.issues.push_back({base::Severity::warning, "", p.wanted().name,
-                          "the source stands so near the body that no cone bounds the body; its shots go in every "
-                          "direction"});
-    }
+  } else if (made.sampler == shotline::Sampler::cone && made.halfAngle == std::numbers::pi) {
+    p.issues.push_back({base::Severity::warning, "", p.wanted().name,
+                        "the source stands so near the body that no cone bounds the body; its shots go in every "
+                        "direction"});
   }
   return made;
 }
@@ -99,7 +112,11 @@ shotline::ParallelBeam prepareBeam(const Preparing& p) {
   made.azimuth = base::radians(p.wanted().azimuth.from);
   made.elevation = base::radians(p.wanted().elevation.from);
   made.centre = targetOf(p);
-  made.radius = shotline::boundingRadius(made.centre, shotline::towards(made.azimuth, made.elevation), p.aim.skins);
+  made.radius = 0.0;
+  p.aim.skins.forEach([&](std::span<const Vec3f> skin) {
+    const Vec3d axis = shotline::towards(made.azimuth, made.elevation);
+    made.radius = std::max(made.radius, shotline::boundingRadius(made.centre, axis, std::span(&skin, 1)));
+  });
   if (p.wanted().sequence == study::Sequence::grid) {
     constexpr double mostCells = 1e6;  // along a side
     const double cells = std::ceil(2.0 * made.radius / p.wanted().cell);
@@ -119,7 +136,10 @@ shotline::DirectionBand prepareBand(const Preparing& p) {
   made.azimuth = {base::radians(azimuth.from), base::radians(azimuth.to)};
   made.elevation = {base::radians(elevation.from), base::radians(elevation.to)};
   made.centre = targetOf(p);
-  made.radius = shotline::boundingRadius(made.centre, p.aim.skins);
+  made.radius = 0.0;
+  p.aim.skins.forEach([&](std::span<const Vec3f> skin) {
+    made.radius = std::max(made.radius, shotline::boundingRadius(made.centre, std::span(&skin, 1)));
+  });
   return made;
 }
 

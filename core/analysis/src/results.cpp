@@ -304,6 +304,14 @@ std::string provenanceJson(const LoadedStudy& study, const RunResult& result) {
   return study::provenanceText(provenance);
 }
 
+std::string markedPartial(std::string_view csv) {
+  return io::csvWithColumn(csv, "partial", "yes");
+}
+
+void writeProvenance(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder) {
+  base::writeFileAtomically(folder / "provenance.json", provenanceJson(study, result));
+}
+
 void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder) {
   const DeformationTables deformations = deformationTables(study, result);
   std::vector<base::FileBytes> files{{folder / "summary.csv", summaryCsv(summaryRows(study, result))},
@@ -319,6 +327,13 @@ void writeResults(const LoadedStudy& study, const RunResult& result, const std::
   }
   if (study.study.analyses.convergence) {
     files.push_back({folder / "convergence.csv", convergenceCsv(study, result)});
+  }
+  if (result.partial) {
+    for (base::FileBytes& file : files) {
+      if (file.path.extension() == ".csv") {
+        file.bytes = markedPartial(file.bytes);
+      }
+    }
   }
   base::writeFilesAtomically(files);
 }

@@ -18,43 +18,45 @@ namespace lorica::analysis {
 namespace {
 
 struct Plan {
-  std::vector<NamedPose> poses;
-  std::vector<geometry::Positions> skins;        // posed, one per pose
+  PosedSkins skins;
   std::map<std::string, geometry::Box3d> boxes;  // of structures that sources are aimed at, over all poses
 };
 
 /// Extends the boxes of the structures that sources are aimed at by a pose.
-void extendBoxes(const LoadedStudy& study, const std::vector<viscera::OrganModel>& models, const NamedPose& pose,
+void extendBoxes(const LoadedStudy& study, const std::vector<viscera::OrganModel>& models,
                  const parenting::PosedBody& body, base::Threads threads, Plan& plan) {
   const auto aimedAt = [&](const std::string& name) {
     return std::any_of(study.study.sources.begin(), study.study.sources.end(),
                        [&](const study::Source& source) { return source.targetStructure == name; });
   };
-  for (const auto& organ : study.organs) {
-    geometry::Positions posed(organ->rig.rest.positions.size());
-    for (std::size_t m = 0; aimedAt(organ->name) && m < models.size(); ++m) {
-      viscera::poseOrgan(organ->rig, models[m], *study.body, body, posed, threads);
-      plan.boxes[organ->name].extend(geometry::bounds(posed));
+  std::vector<geometry::Vec3f> softBody;
+  for (std::size_t o = 0; o < study.organs.size(); ++o) {
+    const LoadedOrgan& organ = *study.organs[o];
+    geometry::Positions posed(organ.rig.rest.positions.size());
+    for (std::size_t m = 0; aimedAt(organ.name) && m < models.size(); ++m) {
+      if (usesSoftBody(study, models[m]) && softBody.empty()) {
+        softBody = study.softBody->settle(body, threads);
+      }
+      placeOrgan(study, o, models[m], body, softBody, posed, threads);
+      plan.boxes[organ.name].extend(geometry::bounds(posed));
     }
   }
   for (const auto& piece : study.pieces) {
     if (aimedAt(piece->name)) {
       geometry::Positions posed(piece->rig.rest.positions.size());
-      armor::posePiece(piece->rig, body, armor::pieceDeltas(*study.body, pose.pose), posed, threads);
+      armor::posePiece(piece->rig, body, posed, threads);
       plan.boxes[piece->name].extend(geometry::bounds(posed));
     }
   }
 }
 
 /// Sources with targets, cones and disks that bound the posed skins of all poses compared.
-std::vector<ShotSource> prepareSources(const LoadedStudy& study, const RunOptions& options, const Plan& plan,
+std::vector<ShotSource> prepareSources(const LoadedStudy& study, const RunOptions& options, Plan plan,
                                        base::Issues& issues) {
-  Aim aim;
-  aim.skins.assign(plan.skins.begin(), plan.skins.end());
-  aim.boxOf = [&](const std::string& structure) {
-    const auto found = plan.boxes.find(structure);
-    return found == plan.boxes.end() ? geometry::Box3d() : found->second;
-  };
+  const Aim aim{std::move(plan.skins), [&](const std::string& structure) {
+                  const auto found = plan.boxes.find(structure);
+                  return found == plan.boxes.end() ? geometry::Box3d() : found->second;
+                }};
   std::vector<ShotSource> sources;
   for (std::size_t i = 0; i < study.study.sources.size(); ++i) {
     sources.push_back(prepareSource(study, i, aim, issues));
@@ -67,18 +69,21 @@ std::vector<ShotSource> prepareSources(const LoadedStudy& study, const RunOption
 }
 
 Plan planPoses(const LoadedStudy& study, const RunOptions& options, RunResult& result, const base::Progress& progress) {
-  Plan plan;
+  std::vector<NamedPose> poses;
   for (const std::string& name : options.poses.empty() ? defaultPoses(study.study) : options.poses) {
     if (std::find(result.poses.begin(), result.poses.end(), name) != result.poses.end()) {
       continue;
     }
-    plan.poses.push_back(resolvePose(study, name));
+    poses.push_back(resolvePose(study, name));
     result.poses.push_back(name);
   }
-  for (const NamedPose& pose : plan.poses) {
-    if (progress.cancelled()) {
-      break;
-    }
+  Plan plan{PosedSkins([&study, &options, &progress, names = result.poses](std::size_t pose) {
+              progress.check();
+              return study.body->pose(resolvePose(study, names[pose]).pose, options.threads).skin;
+            }),
+            {}};
+  for (const NamedPose& pose : poses) {
+    progress.check();
     parenting::PosedBody posed = study.body->pose(pose.pose, options.threads);
     const bool thesis = std::find(result.models.begin(), result.models.end(), viscera::OrganModel::dynamicThesis) !=
                         result.models.end();
@@ -90,8 +95,8 @@ Plan planPoses(const LoadedStudy& study, const RunOptions& options, RunResult& r
                                            "stands in for each",
                                            collapsed)});
     }
-    extendBoxes(study, result.models, pose, posed, options.threads, plan);
-    plan.skins.push_back(std::move(posed.skin));
+    extendBoxes(study, result.models, posed, options.threads, plan);
+    plan.skins.add(std::move(posed.skin));
   }
   return plan;
 }
@@ -219,14 +224,14 @@ RunResult planRun(const LoadedStudy& study, const RunOptions& options, const bas
   result.seed = options.seed.value_or(study.study.seed);
   result.trials = options.trials.value_or(study.study.trials);
   requireReferences(study);
-  const Plan plan = planPoses(study, options, result, progress);
-  if (progress.cancelled()) {
+  try {
+    result.sources = prepareSources(study, options, planPoses(study, options, result, progress), result.issues);
+  } catch (const base::Cancelled&) {
     result.partial = true;
     return result;
   }
-  result.sources = prepareSources(study, options, plan, result.issues);
   for (std::size_t s = 0; s < result.sources.size(); ++s) {
-    for (std::size_t p = 0; p < plan.poses.size(); ++p) {
+    for (std::size_t p = 0; p < result.poses.size(); ++p) {
       result.results.push_back({s, p, {}, {}, {}});
     }
   }

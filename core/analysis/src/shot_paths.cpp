@@ -40,9 +40,8 @@ geometry::Box3d boxIn(const LoadedStudy& study, const PosedScene& scene, const s
 }  // namespace
 
 ShotSource shotSourceFor(const LoadedStudy& study, std::size_t source, const PosedScene& scene) {
-  Aim aim;
-  aim.skins.emplace_back(scene.body().skin);
-  aim.boxOf = [&](const std::string& structure) { return boxIn(study, scene, structure); };
+  const Aim aim{PosedSkins(scene.body().skin),
+                [&](const std::string& structure) { return boxIn(study, scene, structure); }};
   base::Issues issues;
   return prepareSource(study, source, aim, issues);
 }

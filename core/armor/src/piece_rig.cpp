@@ -223,18 +223,10 @@ PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriag
   return piece;
 }
 
-human::SkinningDeltas pieceDeltas(const parenting::BodyRig& body, const std::optional<human::Pose>& pose) {
-  if (!body.body().skeleton) {
-    return {};
-  }
-  return human::skinningDeltas(*body.body().skeleton, pose ? *pose : human::restPose(*body.body().skeleton));
-}
-
-void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, const human::SkinningDeltas& deltas,
-               std::span<Vec3f> posed, base::Threads threads) {
+void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, std::span<Vec3f> posed, base::Threads threads) {
   LORICA_CHECK(posed.size() == piece.rest.positions.size(), "one place per vertex");
   if (piece.carriage == Carriage::skinned && piece.weights) {
-    human::skin(piece.rest.positions, *piece.weights, piece.centres, deltas, posed, threads);
+    human::skin(piece.rest.positions, *piece.weights, piece.centres, pose.deltas, posed, threads);
     if (!piece.feet.empty()) {
       holdOff(piece, pose.skin, posed, threads);
     }

@@ -98,6 +98,24 @@ void writeFileAtomically(const fs::path& path, std::string_view bytes) {
   writeFilesAtomically({{path, std::string(bytes)}});
 }
 
+NewFolders::~NewFolders() {
+  std::error_code ignored;  // of those that hold something
+  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) {
+    fs::remove(*folder, ignored);
+  }
+}
+
+void NewFolders::willMake(const fs::path& folder) {
+  std::error_code ignored;
+  if (folder.empty() || fs::exists(folder, ignored)) {
+    return;
+  }
+  willMake(folder.parent_path());
+  if (made_.empty() || made_.back() != folder) {
+    made_.push_back(folder);
+  }
+}
+
 void requireWritableFolder(const fs::path& folder) {
   std::error_code ignored;
   const fs::path probe = folder / ".lorica-probe";

@@ -14,10 +14,20 @@ namespace lorica::geometry {
 
 namespace {
 
-/// Union-find over vertices.
+/// Union-find over vertices; the root of a component is its lowest vertex.
 class Forest {
  public:
-  explicit Forest(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  explicit Forest(const TriangleMesh& mesh) : parent_(mesh.positions.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    for (const auto [a, b, c] : mesh.triangles) {
+      join(a, b);
+      join(b, c);
+    }
+    shorten();
+  }
+  std::uint32_t rootOf(std::uint32_t vertex) const { return parent_[vertex]; }
+
+ private:
   std::uint32_t root(std::uint32_t v) {
     while (parent_[v] != v) {
       parent_[v] = parent_[parent_[v]];
@@ -33,8 +43,13 @@ class Forest {
     const std::uint32_t rb = root(b);
     parent_[std::max(ra, rb)] = std::min(ra, rb);
   }
+  /// Puts every vertex right below its root: parents are lower, so they stand there already.
+  void shorten() {
+    for (std::uint32_t& parent : parent_) {
+      parent = parent_[parent];
+    }
+  }
 
- private:
   std::vector<std::uint32_t> parent_;
 };
 
@@ -44,22 +59,26 @@ class Buckets {
  public:
   explicit Buckets(const TriangleMesh& mesh) : begin_(mesh.positions.size() + 2, 0) {
     // Counted two places on, so that filling a bucket moves its place to where the next one begins.
-    for (const Triangle& t : mesh.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        ++begin_[std::min(t[k], t[(k + 1) % 3]) + std::size_t{2}];
-      }
+    for (const auto [a, b, c] : mesh.triangles) {
+      ++begin_[std::min(a, b) + std::size_t{2}];
+      ++begin_[std::min(b, c) + std::size_t{2}];
+      ++begin_[std::min(c, a) + std::size_t{2}];
     }
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   }
-  /// Calls `put(place, triangle, side, from, to)` for every side. Once.
+  /// Calls `put(place, side, from, to)` for every side, 3 * triangle + k. Once.
   template <class Put>
   void fill(const TriangleMesh& mesh, const Put& put) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t from = mesh.triangles[t][k];
-        const std::uint32_t to = mesh.triangles[t][(k + 1) % 3];
-        put(begin_[std::min(from, to) + std::size_t{1}]++, t, k, from, to);
-      }
+    std::uint32_t* const next = begin_.data() + 1;
+    const auto side = [&](std::size_t number, std::uint32_t from, std::uint32_t to) {
+      put(next[std::min(from, to)]++, number, from, to);
+    };
+    std::size_t number = 0;
+    for (const auto [a, b, c] : mesh.triangles) {
+      side(number, a, b);
+      side(number + 1, b, c);
+      side(number + 2, c, a);
+      number += 3;
     }
   }
   std::size_t vertices() const { return begin_.size() - 2; }
@@ -71,33 +90,36 @@ class Buckets {
 };
 
 /// Whether every edge is used twice, once each way: so is any closed surface without flaws, and of such a one nothing
-/// else needs to be known. An audit spends its time here, so a side takes four bytes.
+/// else needs to be known. An audit spends its time here, so a side takes four bytes and nothing branches on the data.
 bool everyEdgeIsPaired(const TriangleMesh& mesh) {
-  constexpr std::size_t mostSides = 1U << 16U;  // at a vertex; more would spill from one half of a tally to the other
-  if (mesh.positions.size() > UINT32_MAX / 2) {
-    return false;
+  if (mesh.positions.size() >= UINT32_MAX / 8) {
+    return false;  // a number of a vertex would not leave the bits that are needed
   }
   Buckets buckets(mesh);
   const auto ends = std::make_unique_for_overwrite<std::uint32_t[]>(3 * mesh.triangles.size());
-  buckets.fill(mesh, [&](std::size_t place, std::size_t /*triangle*/, std::size_t /*side*/, std::uint32_t from,
-                         std::uint32_t to) { ends[place] = 2 * std::max(from, to) + (from < to ? 1 : 0); });
-  // Uses of an edge in the low half, those from its lower vertex less those to it in the high one.
-  std::vector<std::uint32_t> tallies(buckets.vertices(), 0);
-  bool paired = true;
-  for (std::size_t v = 0; v < buckets.vertices() && paired; ++v) {
-    const std::span<const std::uint32_t> bucket(ends.get() + buckets.begin(v), buckets.size(v));
-    for (const std::uint32_t end : bucket) {
-      tallies[end / 2] += 1U + (((end % 2) * 2U - 1U) << 16U);
-    }
-    paired = bucket.size() < mostSides;
-    for (const std::uint32_t end : bucket) {
-      paired = paired && tallies[end / 2] == 2;
-    }
-    for (const std::uint32_t end : bucket) {
-      tallies[end / 2] = 0;  // so that the next vertex finds nothing
+  buckets.fill(mesh, [&](std::size_t place, std::size_t /*side*/, std::uint32_t from, std::uint32_t to) {
+    ends[place] = 2 * std::max(from, to) + (from < to ? 1U : 0U);
+  });
+  // Per higher vertex: the lower one that was met with it last, and the ways (2 bits) in which it was.
+  std::vector<std::uint32_t> met(buckets.vertices(), 0);
+  std::uint32_t repeated = 0;
+  std::uint32_t pairs = 0;
+  std::uint32_t place = 0;
+  for (std::size_t v = 0; v < buckets.vertices(); ++v) {
+    const std::uint32_t mark = (static_cast<std::uint32_t>(v) + 1) * 4;
+    for (const auto bucketEnd = static_cast<std::uint32_t>(buckets.begin(v) + buckets.size(v)); place < bucketEnd;
+         ++place) {
+      const std::uint32_t end = ends[place];
+      const std::uint32_t way = 1 + end % 2;
+      const std::uint32_t last = met[end / 2] ^ mark;            // below 4 when the same lower vertex was met
+      const std::uint32_t before = last & -((last - 4U) >> 31);  // as a product of bits: a branch would be guessed
+      const std::uint32_t ways = before | way;
+      repeated |= before & way;
+      pairs += (ways + 1) / 4;
+      met[end / 2] = mark | ways;
     }
   }
-  return paired;
+  return repeated == 0 && std::size_t{2} * pairs == 3 * mesh.triangles.size();
 }
 
 /// The sides of all triangles, those with the same lower vertex together.
@@ -117,10 +139,9 @@ class HalfEdges {
 
   explicit HalfEdges(const TriangleMesh& mesh) : buckets_(mesh), edges_(3 * mesh.triangles.size()) {
     LORICA_CHECK(mesh.triangles.size() < UINT32_MAX / 6, "sides are counted in 31 bits");
-    buckets_.fill(mesh,
-                  [&](std::size_t place, std::size_t triangle, std::size_t side, std::uint32_t from, std::uint32_t to) {
-                    edges_[place] = {std::max(from, to), 3 * triangle + side, from < to};
-                  });
+    buckets_.fill(mesh, [&](std::size_t place, std::size_t side, std::uint32_t from, std::uint32_t to) {
+      edges_[place] = {std::max(from, to), side, from < to};
+    });
   }
 
   /// What the edges say of the surface.
@@ -240,17 +261,13 @@ namespace {
 
 /// Finds the components and measures them.
 void measureComponents(const TriangleMesh& mesh, MeshAudit& result) {
-  Forest forest(mesh.positions.size());
-  for (const Triangle& triangle : mesh.triangles) {
-    forest.join(triangle[0], triangle[1]);
-    forest.join(triangle[1], triangle[2]);
-  }
+  const Forest forest(mesh);
   const Box3d box = bounds(mesh.positions);
   const Vec3d centre = box.isEmpty() ? Vec3d(Vec3d::Zero()) : Vec3d(box.center());
   std::vector<std::uint32_t> componentOfRoot(mesh.positions.size(), UINT32_MAX);
   result.componentOf.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::uint32_t& number = componentOfRoot[forest.root(mesh.triangles[t][0])];
+    std::uint32_t& number = componentOfRoot[forest.rootOf(mesh.triangles[t][0])];
     if (number == UINT32_MAX) {
       number = static_cast<std::uint32_t>(result.components.size());
       result.components.push_back({0, true, 0.0});

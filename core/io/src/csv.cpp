@@ -21,6 +21,22 @@ std::string csvRow(std::span<const std::string> fields) {
   return row + "\n";
 }
 
+std::string csvWithColumn(std::string_view csv, std::string_view name, std::string_view value) {
+  std::string wider;
+  bool quoted = false;
+  bool isHeader = true;
+  for (const char c : csv) {
+    quoted = quoted != (c == '"');  // a doubled quote within quotes leaves and comes back
+    if (c == '\n' && !quoted) {
+      wider += ',';
+      wider += isHeader ? name : value;
+      isHeader = false;
+    }
+    wider += c;
+  }
+  return wider;
+}
+
 std::string csvNumber(std::optional<double> value) {
   return value ? fmt::format("{:.6f}", *value) : std::string();
 }

@@ -10,6 +10,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "lorica/base/error.h"
+
 namespace lorica::io {
 
 namespace {
@@ -256,8 +258,12 @@ std::vector<geometry::Vec3d> AccessorReader::points(int accessor, const AllowedT
   return result;
 }
 
-std::vector<std::uint32_t> AccessorReader::integers(int accessor, Shape shape, bool allow32,
-                                                    const std::string& user) const {
+std::size_t AccessorReader::count(int accessor, Shape shape, const std::string& user) const {
+  return checked(accessor, shape, user).count;
+}
+
+const tinygltf::Accessor& AccessorReader::checkedIntegers(int accessor, Shape shape, bool allow32,
+                                                          const std::string& user) const {
   const tinygltf::Accessor& found = checked(accessor, shape, user);
   const bool isSmall = found.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                        found.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
@@ -265,8 +271,26 @@ std::vector<std::uint32_t> AccessorReader::integers(int accessor, Shape shape, b
     reading_.fail(at(user, accessor),
                   fmt::format("has component type {}, unsigned integers were expected", found.componentType));
   }
+  return found;
+}
+
+std::vector<std::uint32_t> AccessorReader::integers(int accessor, Shape shape, bool allow32,
+                                                    const std::string& user) const {
+  const tinygltf::Accessor& found = checkedIntegers(accessor, shape, allow32, user);
   std::vector<std::uint32_t> result;
   fill(found, at(user, accessor), facts(shape).components, Integer{}, roomIn(result));
+  return result;
+}
+
+std::vector<geometry::Triangle> AccessorReader::triangles(int accessor, const std::string& user) const {
+  static_assert(sizeof(geometry::Triangle) == 3 * sizeof(std::uint32_t), "triangles are indices one after another");
+  const tinygltf::Accessor& found = checkedIntegers(accessor, Shape::scalar, true, user);
+  LORICA_CHECK(found.count % 3 == 0, "the caller has told the user of odd corners");
+  std::vector<geometry::Triangle> result;
+  fill(found, at(user, accessor), 1, Integer{}, [&](std::size_t count) {
+    result.resize(count / 3);
+    return result.data()->data();
+  });
   return result;
 }
 

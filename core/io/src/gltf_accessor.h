@@ -42,6 +42,11 @@ class AccessorReader {
   Elements numbers(int accessor, Shape shape, const AllowedTypes& allowed, const std::string& user) const;
   /// VEC3 numbers as points.
   std::vector<geometry::Vec3d> points(int accessor, const AllowedTypes& allowed, const std::string& user) const;
+  /// Indices, three by three.
+  /// \pre their number is a multiple of 3
+  std::vector<geometry::Triangle> triangles(int accessor, const std::string& user) const;
+  /// Elements of an accessor that exists.
+  std::size_t count(int accessor, Shape shape, const std::string& user) const;
   /// Unsigned integers: indices (scalar) or joints (vec4). `count` of them form an element.
   std::vector<std::uint32_t> integers(int accessor, Shape shape, bool allow32, const std::string& user) const;
 
@@ -49,6 +54,7 @@ class AccessorReader {
   const tinygltf::Accessor& checked(int accessor, Shape shape, const std::string& user) const;
   const tinygltf::Accessor& checkedNumbers(int accessor, Shape shape, const AllowedTypes& allowed,
                                            const std::string& user) const;
+  const tinygltf::Accessor& checkedIntegers(int accessor, Shape shape, bool allow32, const std::string& user) const;
   void checkFinite(const tinygltf::Accessor& accessor, const double* values, std::size_t components,
                    const std::string& user) const;
   const tinygltf::BufferView& view(int index, const std::string& user) const;

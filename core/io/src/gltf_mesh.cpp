@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "polygons.h"
 
@@ -25,49 +26,59 @@ int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
   return found == primitive.attributes.end() ? -1 : found->second;
 }
 
-std::vector<std::uint32_t> cornersOf(const AccessorReader& accessors, const Primitive& primitive, std::size_t vertices,
-                                     const Reading& reading) {
-  std::vector<std::uint32_t> corners;
-  if (primitive.source.indices < 0) {
-    corners.resize(vertices);
-    for (std::size_t v = 0; v < vertices; ++v) {
-      corners[v] = static_cast<std::uint32_t>(v);
-    }
-    return corners;
-  }
-  corners = accessors.integers(primitive.source.indices, Shape::scalar, true, primitive.place + ", indices");
+void checkCorners(const std::uint32_t* begin, const std::uint32_t* end, const Primitive& primitive,
+                  std::size_t vertices, const Reading& reading) {
   std::uint32_t highest = 0;
-  for (const std::uint32_t corner : corners) {
-    highest = std::max(highest, corner);
+  for (const std::uint32_t* corner = begin; corner < end; ++corner) {
+    highest = std::max(highest, *corner);
   }
   if (highest >= vertices) {
-    const auto first =
-        std::find_if(corners.begin(), corners.end(), [&](std::uint32_t corner) { return corner >= vertices; });
-    reading.fail(
-        fmt::format("{}, indices, accessor {}", primitive.place, primitive.source.indices),
-        fmt::format("index {} is {}, but the primitive has {} vertices", first - corners.begin(), *first, vertices));
+    const auto* first = std::find_if(begin, end, [&](std::uint32_t corner) { return corner >= vertices; });
+    reading.fail(fmt::format("{}, indices, accessor {}", primitive.place, primitive.source.indices),
+                 fmt::format("index {} is {}, but the primitive has {} vertices", first - begin, *first, vertices));
   }
+}
+
+std::vector<std::uint32_t> cornersOf(const AccessorReader& accessors, const Primitive& primitive, std::size_t vertices,
+                                     const Reading& reading) {
+  if (primitive.source.indices < 0) {
+    std::vector<std::uint32_t> corners(vertices);
+    std::iota(corners.begin(), corners.end(), 0U);
+    return corners;
+  }
+  std::vector<std::uint32_t> corners =
+      accessors.integers(primitive.source.indices, Shape::scalar, true, primitive.place + ", indices");
+  checkCorners(corners.data(), corners.data() + corners.size(), primitive, vertices, reading);
   return corners;
 }
 
 /// Fans turn around their first corner but begin with their second one (glTF 2.0, section 3.7.2.1); which corner of a
 /// triangle stands first does not matter.
-void appendTriangles(std::vector<Triangle>& triangles, const Primitive& primitive,
-                     const std::vector<std::uint32_t>& corners, const Reading& reading) {
-  if (primitive.source.mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
-    appendStrip(triangles, corners);
-  } else if (primitive.source.mode == TINYGLTF_MODE_TRIANGLE_FAN) {
-    appendFan(triangles, corners);
-  } else {
-    if (corners.size() % 3 != 0) {
-      reading.fail(primitive.place, fmt::format("has {} corners, which is no multiple of 3", corners.size()));
-    }
-    const std::size_t before = triangles.size();
-    triangles.resize(before + corners.size() / 3);
-    for (std::size_t t = 0; t < corners.size() / 3; ++t) {
-      triangles[before + t] = {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]};
-    }
+std::vector<Triangle> trianglesOf(const AccessorReader& accessors, const Primitive& primitive, std::size_t vertices,
+                                  const Reading& reading) {
+  const bool isFan = primitive.source.mode == TINYGLTF_MODE_TRIANGLE_FAN;
+  const bool isStrip = primitive.source.mode == TINYGLTF_MODE_TRIANGLE_STRIP;
+  const bool isIndexed = primitive.source.indices >= 0;
+  std::vector<Triangle> triangles;
+  if (isFan || isStrip) {
+    const std::vector<std::uint32_t> corners = cornersOf(accessors, primitive, vertices, reading);
+    isFan ? appendFan(triangles, corners) : appendStrip(triangles, corners);
+    return triangles;
   }
+  const std::string place = primitive.place + ", indices";
+  const std::size_t corners = isIndexed ? accessors.count(primitive.source.indices, Shape::scalar, place) : vertices;
+  if (corners % 3 != 0) {
+    reading.fail(primitive.place, fmt::format("has {} corners, which is no multiple of 3", corners));
+  }
+  if (isIndexed) {
+    triangles = accessors.triangles(primitive.source.indices, place);
+    checkCorners(triangles.data()->data(), triangles.data()->data() + corners, primitive, vertices, reading);
+    return triangles;
+  }
+  for (std::uint32_t corner = 0; corner < corners; corner += 3) {
+    triangles.push_back({corner, corner + 1, corner + 2});
+  }
+  return triangles;
 }
 
 template <class T>
@@ -193,11 +204,13 @@ class MeshReader {
     }
     extras_.morphTargets = extras_.morphTargets || !primitive.source.targets.empty();
     const VertexRange range = vertices(primitive);
-    std::vector<std::uint32_t> corners = cornersOf(accessors_, primitive, range.count, reading_);
-    for (std::size_t i = 0; range.first > 0 && i < corners.size(); ++i) {
-      corners[i] += range.first;
+    std::vector<Triangle> triangles = trianglesOf(accessors_, primitive, range.count, reading_);
+    for (std::size_t t = 0; range.first > 0 && t < triangles.size(); ++t) {
+      for (std::uint32_t& corner : triangles[t]) {
+        corner += range.first;
+      }
     }
-    appendTriangles(part_.triangles, primitive, corners, reading_);
+    append(part_.triangles, std::move(triangles));
   }
 
   RawPart take() { return std::move(part_); }

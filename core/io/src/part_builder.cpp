@@ -166,7 +166,8 @@ std::size_t dropThinTriangles(TriangleMesh& mesh, const geometry::MeshAudit& aud
   return kept.size() - mesh.triangles.size();
 }
 
-void orient(Part& part, std::size_t collapsed, Reading& reading) {
+/// Cleans and turns the surface; how many triangles without area it had, those counted in that collapsed before.
+std::size_t orient(Part& part, std::size_t collapsed, Reading& reading) {
   geometry::MeshAudit audit = geometry::audit(part.mesh);
   std::size_t thin = 0;
   if (audit.degenerateTriangles > 0) {
@@ -186,6 +187,7 @@ void orient(Part& part, std::size_t collapsed, Reading& reading) {
   if (turned > 0) {
     reading.note(part.name, fmt::format("{} closed surfaces were inside out and have been turned", turned));
   }
+  return collapsed + thin;
 }
 
 }  // namespace
@@ -204,6 +206,7 @@ std::optional<Part> buildPart(RawPart raw, const std::string& name, Reading& rea
     part.weights = used ? normalised(raw, rows(raw.weights, raw.influences, *used), *used, name, issues)
                         : normalised(raw, raw.weights, {}, name, issues);
   };
+  std::size_t dropped = 0;
   if (raw.influences > 0 && welded.sourceOf.size() == vertices) {
     // Nothing to weld, as in most skins: the weights do not bear on the surface.
     Reading ofWeights = reading.branch();
@@ -211,7 +214,11 @@ std::optional<Part> buildPart(RawPart raw, const std::string& name, Reading& rea
     part.mesh = std::move(welded.mesh);
     base::parallelFor(2, 1, {}, [&](std::size_t begin, std::size_t end) {
       for (std::size_t task = begin; task < end; ++task) {
-        task == 0 ? readWeights(ofWeights) : orient(part, welded.droppedTriangles, ofSurface);
+        if (task == 0) {
+          readWeights(ofWeights);
+        } else {
+          dropped = orient(part, welded.droppedTriangles, ofSurface);
+        }
       }
     });
     reading.join(std::move(ofWeights));
@@ -223,14 +230,16 @@ std::optional<Part> buildPart(RawPart raw, const std::string& name, Reading& rea
       keepRows(*part.weights, welded.sourceOf);
     }
     part.mesh = std::move(welded.mesh);
-    orient(part, welded.droppedTriangles, reading);
+    dropped = orient(part, welded.droppedTriangles, reading);
   }
   if (part.mesh.triangles.empty()) {
     reading.note(name, "has no triangles with area and was left out");
     return std::nullopt;
   }
-  if (const auto kept = removeUnusedVertices(part.mesh); kept && part.weights) {
-    keepRows(*part.weights, *kept);
+  if (dropped > 0) {
+    if (const auto kept = removeUnusedVertices(part.mesh); kept && part.weights) {
+      keepRows(*part.weights, *kept);
+    }
   }
   return part;
 }

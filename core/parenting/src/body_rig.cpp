@@ -40,9 +40,12 @@ PosedBody BodyRig::pose(const std::optional<human::Pose>& pose, base::Threads th
 
 void BodyRig::poseInto(const std::optional<human::Pose>& pose, base::Threads threads, PosedBody& posed) const {
   posed.skin.resize(body_->skin.positions.size());
+  posed.deltas = {};
+  if (body_->skeleton) {
+    posed.deltas = human::skinningDeltas(*body_->skeleton, pose ? *pose : human::restPose(*body_->skeleton));
+  }
   if (pose && body_->skeleton) {
-    const auto deltas = human::skinningDeltas(*body_->skeleton, *pose);
-    human::skin(body_->skin.positions, *body_->weights, centres_, deltas, posed.skin, threads);
+    human::skin(body_->skin.positions, *body_->weights, centres_, posed.deltas, posed.skin, threads);
     posed.joints = carryJoints(*body_->skeleton, *pose);
   } else {
     std::copy(body_->skin.positions.begin(), body_->skin.positions.end(), posed.skin.begin());

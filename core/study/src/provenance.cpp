@@ -128,13 +128,17 @@ std::string provenanceText(const Provenance& provenance) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::uint64_t seedOfRun(const std::filesystem::path& file) {
+RunOrigin originOfRun(const std::filesystem::path& file) {
   const Json json = parseJson(base::readFile(file), file.string());
   const auto seed = json.is_object() ? json.find("seed") : json.end();
   if (seed == json.end() || !seed->is_number_unsigned()) {
     throw base::InputError(file.string(), "/seed", "expected the seed of a run, a whole number from 0");
   }
-  return seed->get<std::uint64_t>();
+  const auto partial = json.find("partial");
+  if (partial != json.end() && !partial->is_boolean()) {
+    throw base::InputError(file.string(), "/partial", "expected true or false: whether the run was cut short");
+  }
+  return {seed->get<std::uint64_t>(), partial != json.end() && partial->get<bool>()};
 }
 
 }  // namespace lorica::study

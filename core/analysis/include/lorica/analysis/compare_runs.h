@@ -4,6 +4,7 @@
 /// Two finished runs compared, structure by structure, from the tables they left: two armors, postures, models or
 /// persons that were not shot at in one study.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,6 +25,10 @@ struct RunComparison {
   std::string measure;  ///< "pct_of_shots", per cent; or "coverage", 0 to 1
   std::size_t trialsFirst = 0;
   std::size_t trialsSecond = 0;
+  std::uint64_t hitsFirst = 0;  ///< of those trials: any hits, or protected ones where the measure is coverage
+  std::uint64_t ofFirst = 0;    ///< what they are a share of: shots, or any hits
+  std::uint64_t hitsSecond = 0;
+  std::uint64_t ofSecond = 0;
   double meanFirst = 0.0;  ///< over the trials
   double meanSecond = 0.0;
   double difference = 0.0;                  ///< first minus second
@@ -37,6 +42,8 @@ struct RunComparison {
 
 struct RunComparisons {
   bool paired = false;
+  bool partialFirst = false;  ///< the run was cut short: its finished trials are compared
+  bool partialSecond = false;
   std::vector<RunComparison> rows;
   std::size_t unmatched = 0;  ///< structures that only one of the runs has
 };
@@ -49,6 +56,7 @@ struct RunComparisons {
 ///        the runs share no structure with two trials each, or when both folders are the same
 RunComparisons compareRuns(const std::filesystem::path& first, const std::filesystem::path& second);
 
-std::string runComparisonsCsv(const std::vector<RunComparison>& rows);
+/// Marked as partial (see results.h) when one of the runs is.
+std::string runComparisonsCsv(const RunComparisons& comparisons);
 
 }  // namespace lorica::analysis

@@ -18,7 +18,10 @@ struct Comparison {
   std::string first;
   std::string second;
   std::string structure;  ///< body or an organ
-  std::optional<double> coverageFirst;
+  std::uint64_t shots = 0;
+  shotline::Count countFirst;  ///< over all trials
+  shotline::Count countSecond;
+  std::optional<double> coverageFirst;  ///< of those counts; none when nothing was hit
   std::optional<double> coverageSecond;
   std::uint64_t onlyFirst = 0;  ///< shots protected (systems) or hit (models) in the first alone
   std::uint64_t onlySecond = 0;

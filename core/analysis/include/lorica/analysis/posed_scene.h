@@ -14,6 +14,16 @@ namespace lorica::analysis {
 /// Classes of organs, in the order of TargetLayout.
 inline constexpr std::array<std::string_view, 2> injuryClasses{"essential", "desirable"};
 
+/// Whether a model of an organ is that of LoadedStudy::softBody.
+bool usesSoftBody(const LoadedStudy& study, viscera::OrganModel model);
+
+/// The vertices of an organ in a posed body, as runs have them.
+/// \param softBody of SoftBody::settle() for the same pose, where the model uses it
+/// \pre posed has a place for every vertex of the organ
+void placeOrgan(const LoadedStudy& study, std::size_t organ, viscera::OrganModel model,
+                const parenting::PosedBody& body, std::span<const geometry::Vec3f> softBody,
+                std::span<geometry::Vec3f> posed, base::Threads threads);
+
 /// One scene holds all systems and all models, so that one ray serves every comparison.
 class PosedScene {
  public:

@@ -4,6 +4,8 @@
 /// A run as tables: summary.csv, trials.csv, deformation.csv, contacts.csv, room.csv, provenance.json.
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "lorica/analysis/run.h"
 #include "lorica/stats/accumulators.h"
@@ -59,8 +61,15 @@ std::string trialsCsv(const std::vector<ResultRow>& rows);
 /// whether the run is partial. Holds no time and no thread count: the same run gives the same bytes.
 std::string provenanceJson(const LoadedStudy& study, const RunResult& result);
 
+/// A table with a column `partial` at its end that says "yes" in every row: what a run that was cut short leaves is
+/// known for it wherever the file goes. Tables of finished runs have no such column.
+std::string markedPartial(std::string_view csv);
+
+/// provenance.json alone, as when a run is finished and its analyses are not. \throw base::InputError
+void writeProvenance(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder);
+
 /// Writes the six files, and those of comparisons and convergence where the study asks for them, into a folder, all of
-/// them or none. \throw base::InputError
+/// them or none. The tables of a partial result are marked so. \throw base::InputError
 void writeResults(const LoadedStudy& study, const RunResult& result, const std::filesystem::path& folder);
 
 /// Shoots and writes what the study asks for beside the run: gaps.csv with its maps, anatomy.csv, directions.csv,

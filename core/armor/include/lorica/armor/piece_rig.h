@@ -89,9 +89,6 @@ PieceRig bindPiece(geometry::TriangleMesh rest, const std::string& name, Carriag
                    const human::Skeleton* ownSkeleton, base::Threads threads, const RigidCarrier& carrier = {},
                    SoftFit fit = SoftFit::asWeighted);
 
-/// What a pose gives soft pieces; the same for all of them.
-human::SkinningDeltas pieceDeltas(const parenting::BodyRig& body, const std::optional<human::Pose>& pose);
-
 /// The piece's vertices in a pose; at rest every vertex keeps its bits. A soft piece goes where its weights take it.
 /// Where that is nearer to the skin than its fabric lets itself be pressed, by three tenths of its height at rest or
 /// 2 mm, it is lifted off the triangle of the skin it lies over at rest; where the skin about that triangle has come
@@ -99,8 +96,7 @@ human::SkinningDeltas pieceDeltas(const parenting::BodyRig& body, const std::opt
 /// push it.
 /// A rigid piece carried by the skin takes the motion that fits the places of the skin under it best (least squares,
 /// Kabsch 1976), and then moves along the plate's axis until none of them is nearer to it than the nearest was at rest.
-/// \param deltas of pieceDeltas() for the same pose
-void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, const human::SkinningDeltas& deltas,
-               std::span<geometry::Vec3f> posed, base::Threads threads);
+void posePiece(const PieceRig& piece, const parenting::PosedBody& pose, std::span<geometry::Vec3f> posed,
+               base::Threads threads);
 
 }  // namespace lorica::armor

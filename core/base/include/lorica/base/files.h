@@ -50,6 +50,22 @@ class FileDraft {
   bool committed_ = false;
 };
 
+/// Folders that were not there before: those among them that are empty at its end go again, so that work that fails
+/// leaves no trace.
+class NewFolders {
+ public:
+  NewFolders() = default;
+  NewFolders(const NewFolders&) = delete;
+  NewFolders& operator=(const NewFolders&) = delete;
+  ~NewFolders();
+
+  /// Notes which of the folder and those above it are still to be made.
+  void willMake(const std::filesystem::path& folder);
+
+ private:
+  std::vector<std::filesystem::path> made_;  // outer ones first
+};
+
 /// Makes the folder when it is missing and tries whether files can be made in it, before long work is done for it.
 /// \throw InputError
 void requireWritableFolder(const std::filesystem::path& folder);

@@ -51,6 +51,9 @@ void writeScene(std::span<const SceneMesh> scene, SceneFormat format, const std:
 /// line feed.
 std::string csvRow(std::span<const std::string> fields);
 
+/// A table of csvRow() lines with one more column at its end, the same text in every row; the first line is the header.
+std::string csvWithColumn(std::string_view csv, std::string_view name, std::string_view value);
+
 /// A number with six decimals as a field; empty when there is none.
 std::string csvNumber(std::optional<double> value);
 

@@ -26,8 +26,9 @@ struct Body {
 struct PosedBody {
   geometry::Positions skin;
   std::vector<geometry::RigidTransform> joints;
-  SiteMotion sites;        ///< of BodyRig::sites()
-  SiteMotion thesisSites;  ///< of BodyRig::thesisSites()
+  human::SkinningDeltas deltas;  ///< what skinned the skin and skins soft armor; empty without a skeleton
+  SiteMotion sites;              ///< of BodyRig::sites()
+  SiteMotion thesisSites;        ///< of BodyRig::thesisSites()
 };
 
 struct RigOptions {

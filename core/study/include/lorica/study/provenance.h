@@ -54,9 +54,14 @@ struct Provenance {
 /// JSON text. Depends on nothing but its argument and the program's version.
 std::string provenanceText(const Provenance& provenance);
 
-/// The seed of a run, from its provenance.json.
-/// \throw base::InputError when the file is missing or does not say it
-std::uint64_t seedOfRun(const std::filesystem::path& file);
+/// What a finished run says of itself in its provenance.json.
+struct RunOrigin {
+  std::uint64_t seed = 0;
+  bool partial = false;
+};
+
+/// \throw base::InputError when the file is missing, damaged or does not say the seed
+RunOrigin originOfRun(const std::filesystem::path& file);
 
 /// The program's version, "MAJOR.MINOR.PATCH".
 std::string version();
