@@ -49,18 +49,7 @@ MeshSource readMesh(const Node& node) {
       }
     }
   } else {
-    InputFile input;
-    input.path = file.name("a path");
-    if (const Node digits = node["sha256"]; digits.present()) {
-      input.sha256 = sha256Text(digits);
-    }
-    if (const Node units = node["units"]; units.present()) {
-      input.units = units.choice(unitWords);
-    }
-    if (const Node up = node["up"]; up.present()) {
-      input.up = up.choice(upWords);
-    }
-    mesh.from = std::move(input);
+    mesh.from = readInputFile(node);
   }
   if (const Node parts = node["parts"]; parts.present()) {
     mesh.parts = nameList(parts, "names of parts");
@@ -332,6 +321,7 @@ void readLists(const Node& root, Study& study) {
   Names systems;
   Names poses;
   Names sources;
+  Names threats;
   if (const Node organs = root["organs"]; organs.present()) {
     for (const Node& organ : organs.list("a list of organs")) {
       study.organs.push_back(readOrgan(organ, structures));
@@ -354,6 +344,12 @@ void readLists(const Node& root, Study& study) {
     for (const Node& source : list.list("a list of sources")) {
       study.sources.push_back(readSource(source));
       sources.claim(source["name"], study.sources.back().name);
+    }
+  }
+  if (const Node list = root["threats"]; list.present()) {
+    for (const Node& threat : list.list("a list of threat data")) {
+      study.threats.push_back(readThreat(threat));
+      threats.claim(threat["name"], study.threats.back().name);
     }
   }
   if (const Node list = root["display"]; list.present()) {
