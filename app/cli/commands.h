@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lorica/analysis/import_study.h"
+#include "lorica/analysis/threats.h"
 #include "lorica/human/person.h"
 
 namespace lorica::cli {
@@ -52,6 +53,23 @@ struct ExportArguments {
   std::filesystem::path out;
 };
 int exportPose(const ExportArguments& arguments);
+
+struct ThreatArguments {
+  std::filesystem::path study;
+  std::filesystem::path out;
+  std::vector<std::string> poses;
+  std::string model;
+  std::optional<double> timeMs;
+  bool models = false;
+  std::vector<double> levels;
+  std::vector<std::string> slices;  ///< AXIS@METRES
+  std::optional<double> spacingMm;
+  int threads = 0;
+  bool quiet = false;
+};
+/// Reads x@METRES, y@METRES or z@METRES; nothing for any other text.
+std::optional<analysis::SlicePlane> sliceNamed(const std::string& text);
+int exposeToThreats(const ThreatArguments& arguments);
 
 int compareRuns(const std::filesystem::path& first, const std::filesystem::path& second,
                 const std::filesystem::path& out);

@@ -190,6 +190,36 @@ void addExport(CLI::App& app, int& code) {
   command->callback([arguments, &code] { code = exportPose(*arguments); });
 }
 
+void addThreat(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("threat", "tell which part of the body threat data reach, when and how much");
+  auto arguments = std::make_shared<ThreatArguments>();
+  arguments->model = "dynamic";
+  command->add_option("STUDY", arguments->study, "a study with threats (*.lorica.json)")->required();
+  command->add_option("--out", arguments->out, "folder for threat.csv and fragments.csv")->required();
+  command->add_option("--pose", arguments->poses, "pose by name or CLIP@SECONDS; may be repeated (default: all)")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--model", arguments->model, "organ model (default: dynamic)")->check(CLI::IsMember(modelNames));
+  command->add_option("--time", arguments->timeMs, "ms; the values then (default: the greatest over all times)")
+      ->check(CLI::Range(-1e12, 1e12));
+  command->add_flag("--vtp", arguments->models, "also write the models with their values, a .vtp per threat and pose");
+  command->add_option("--level", arguments->levels, "also write the surface of this value at --time; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check(CLI::Range(-1e30, 1e30));
+  command->add_option("--slice", arguments->slices, "also write a slice at --time, as y@1.2 (metres); may be repeated")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) {
+        return sliceNamed(text) ? std::string() : "expected x@METRES, y@METRES or z@METRES, found \"" + text + "\"";
+      });
+  command->add_option("--spacing", arguments->spacingMm, "mm, of surfaces and slices (default: that of the data)")
+      ->check(CLI::Range(0.01, 1e6));
+  command->add_option("--threads", arguments->threads, "threads to use (default: all)")->check(CLI::Range(1, 1024));
+  command->add_flag("--quiet", arguments->quiet, "no progress and no table");
+  command->callback([arguments, &code] { code = exposeToThreats(*arguments); });
+}
+
 void addCompare(CLI::App& app, int& code) {
   auto* command = app.add_subcommand("compare", "compare two finished runs, structure by structure");
   struct Arguments {
@@ -229,6 +259,7 @@ int parseAndRun(int argc, char** argv) {
   addGenerate(app, code);
   addImport(app, code);
   addExport(app, code);
+  addThreat(app, code);
   addCompare(app, code);
   addUpgrade(app, code);
   addBench(app, code);

@@ -9,7 +9,7 @@ find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(OpenSSL REQUIRED)
 find_package(Threads REQUIRED)
-find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore FiltersGeneral IOXML)
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore FiltersGeneral IOLegacy IOXML IOXMLParser)
 # Headers of a baseline that `lorica-cli bench` measures against, where they are.
 find_path(LORICA_CGAL_INCLUDE CGAL/AABB_tree.h)
 # Of the window alone; LoricaVtkQt says when it is not here.

@@ -59,6 +59,13 @@ inline const char* const fullStudy = R"({
     {"name": "listed", "type": "list", "file": "shots.csv",
      "sha256": "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef"}
   ],
+  "threats": [
+    {"name": "gauge", "description": "f", "file": "blast.csv",
+     "sha256": "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef", "units": "mm", "up": "z",
+     "time_units": "us", "attribute": "pressure", "threshold": 35.5, "reach_mm": 12.5, "time_offset_ms": -1.25,
+     "offset": [0, 1, 2], "turn_deg": [0, 90, 0], "display": {"visible": false, "range": [-1, 100]}},
+    {"name": "charge", "builtin": "blast", "tnt_kg": 2.5, "position": [0, 1, 4]}
+  ],
   "models": ["static_skin", "dynamic_thesis"],
   "trials": 7,
   "seed": 18446744073709551615,

@@ -248,6 +248,32 @@ Source anySource(std::size_t index) {
   return source;
 }
 
+Threat anyThreat(std::size_t index) {
+  Threat threat;
+  threat.name = uniqueName("threat", index);
+  threat.description = freeText();
+  if (coin()) {
+    threat.from = BlastCharge{anySize(), anyVector()};
+  } else {
+    InputFile file = anyInput();
+    file.units = coin() ? std::optional(base::LengthUnit::inch) : std::nullopt;
+    file.up = coin() ? std::optional('z') : std::nullopt;
+    threat.from = file;
+    threat.timeUnits = coin() ? std::optional(TimeUnit::microsecond) : std::nullopt;
+    threat.attribute = coin() ? uniqueName("attribute", 0) : "";
+    threat.reach = coin() ? std::optional(anySize()) : std::nullopt;
+    threat.offset = coin() ? anyVector() : geometry::Vec3d::Zero();
+    threat.turn = coin() ? anyVector() : geometry::Vec3d::Zero();
+  }
+  threat.threshold = coin() ? std::optional(anyNumber(1e6)) : std::nullopt;
+  threat.timeOffset = *rc::gen::inRange(-1000000, 1000000) / 1000.0;
+  threat.display.visible = coin();
+  if (coin()) {
+    threat.display.range = {anyNumber(1e3), 1e6};
+  }
+  return threat;
+}
+
 std::optional<StopRule> anyStop() {
   if (coin()) {
     return std::nullopt;
@@ -347,6 +373,7 @@ Study makeStudy() {
     study.runPoses.emplace_back(oneOf<std::string>({"rest", "walk@0.125"}));
   }
   study.sources = several<Source>(anySource);
+  study.threats = several<Threat>(anyThreat);
   study.stop = anyStop();
   study.overlap = anyOverlap();
   study.analyses = anyAnalyses();

@@ -51,7 +51,8 @@ TEST_F(Inputs, AreListedOnceInTheOrderOfTheStudy) {
   for (const InputFile& input : inputFiles(parseStudy(fullStudy, "s"))) {
     paths.push_back(input.path);
   }
-  EXPECT_EQ(paths, (std::vector<std::string>{"body.glb", "organs/liver.stl", "vest/front.glb", "shots.csv"}));
+  EXPECT_EQ(paths,
+            (std::vector<std::string>{"body.glb", "organs/liver.stl", "vest/front.glb", "shots.csv", "blast.csv"}));
   EXPECT_EQ(inputFiles(studyOf({"a.stl", "b.stl", "a.stl"})).size(), 2U);
 }
 
@@ -145,6 +146,16 @@ TEST_F(Inputs, OfGltfCoverTheirBufferFilesInOrder) {
   const base::Issues issues = checkInputs(study, studyFile());
   ASSERT_EQ(issues.size(), 1U);
   EXPECT_EQ(issues[0].line(), pathOf("b.bin") + ": error: there is no such file; put it back, a.gltf needs it");
+}
+
+TEST_F(Inputs, OfSeriesCoverTheirFilesInOrder) {
+  const std::string series = R"(<VTKFile type="Collection"><Collection><DataSet timestep="0" file="sub/a.vti"/>
+                                <DataSet timestep="1" file="b.vti"/></Collection></VTKFile>)";
+  put("sub/a.vti", "first");
+  put("b.vti", "second");
+  EXPECT_EQ(sha256OfInput(put("s.pvd", series)), sha256(series + "firstsecond"));
+  std::filesystem::remove(folder_.path() / "b.vti");
+  EXPECT_THROW(sha256OfInput(folder_.path() / "s.pvd"), base::InputError);
 }
 
 TEST_F(Inputs, OfGltfThatAreDamagedAreErrorsNotCrashes) {

@@ -39,24 +39,27 @@ Words keysAt(const std::string& pointer) {
 }
 
 const std::map<std::string, std::span<const std::string_view>>& readerObjects() {
-  static const std::map<std::string, std::span<const std::string_view>> objects{{"", studyKeys},
-                                                                                {"/$defs/human", humanKeys},
-                                                                                {"/$defs/recorded", recordedKeys},
-                                                                                {"/$defs/organ", organKeys},
-                                                                                {"/$defs/lattice", latticeKeys},
-                                                                                {"/$defs/system", systemKeys},
-                                                                                {"/$defs/piece", pieceKeys},
-                                                                                {"/$defs/pose", poseKeys},
-                                                                                {"/$defs/turn", turnKeys},
-                                                                                {"/$defs/source", sourceKeys},
-                                                                                {"/$defs/stop", stopKeys},
-                                                                                {"/$defs/overlap", overlapKeys},
-                                                                                {"/$defs/analyses", analysesKeys},
-                                                                                {"/$defs/directions", directionsKeys},
-                                                                                {"/$defs/motion", motionKeys},
-                                                                                {"/$defs/gaps", gapsKeys},
-                                                                                {"/$defs/anatomy", anatomyKeys},
-                                                                                {"/$defs/display", displayKeys}};
+  static const std::map<std::string, std::span<const std::string_view>> objects{
+      {"", studyKeys},
+      {"/$defs/human", humanKeys},
+      {"/$defs/recorded", recordedKeys},
+      {"/$defs/organ", organKeys},
+      {"/$defs/lattice", latticeKeys},
+      {"/$defs/system", systemKeys},
+      {"/$defs/piece", pieceKeys},
+      {"/$defs/pose", poseKeys},
+      {"/$defs/turn", turnKeys},
+      {"/$defs/source", sourceKeys},
+      {"/$defs/stop", stopKeys},
+      {"/$defs/overlap", overlapKeys},
+      {"/$defs/analyses", analysesKeys},
+      {"/$defs/directions", directionsKeys},
+      {"/$defs/motion", motionKeys},
+      {"/$defs/gaps", gapsKeys},
+      {"/$defs/anatomy", anatomyKeys},
+      {"/$defs/threat", threatKeys},
+      {"/$defs/threatDisplay", threatDisplayKeys},
+      {"/$defs/display", displayKeys}};
   return objects;
 }
 
@@ -83,7 +86,9 @@ TEST(StudySchema, HasTheWordsOfTheReaderForEveryChoice) {
   EXPECT_EQ(wordsAt("/$defs/source/properties/type/enum"), wordsOf(sourceTypeWords));
   EXPECT_EQ(wordsAt("/$defs/structureName/not/enum"), Words(reservedStructures.begin(), reservedStructures.end()));
   EXPECT_EQ(wordsAt("/$defs/recorded/properties/up/enum"), wordsOf(upWords));
-  for (const char* object : {"human", "organ", "piece"}) {
+  EXPECT_EQ(wordsAt("/$defs/threat/properties/time_units/enum"), wordsOf(timeUnitWords));
+  EXPECT_EQ(test::studySchema().schema()["$defs"]["threat"]["properties"]["builtin"]["const"], blastBuiltin);
+  for (const char* object : {"human", "organ", "piece", "threat"}) {
     const std::string properties = std::string("/$defs/") + object + "/properties";
     EXPECT_EQ(wordsAt(properties + "/units/enum"), wordsOf(unitWords));
     EXPECT_EQ(wordsAt(properties + "/up/enum"), wordsOf(upWords));

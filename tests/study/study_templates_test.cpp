@@ -70,7 +70,7 @@ TEST(Templates, UnknownNamesAreAnsweredWithTheKnownOnes) {
   } catch (const base::InputError& error) {
     EXPECT_STREQ(error.what(),
                  "there is no template \"smaple\"; known are sample, comparison, "
-                 "vest_against_carrier, toe_touch, twist, test_case_1, test_case_2, minimal");
+                 "vest_against_carrier, toe_touch, twist, test_case_1, test_case_2, blast, minimal");
   }
 }
 

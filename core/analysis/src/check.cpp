@@ -5,12 +5,14 @@
 #include <algorithm>
 
 #include "lorica/analysis/loaded_study.h"
+#include "lorica/analysis/threats.h"
 #include "lorica/base/error.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/mesh_audit.h"
 #include "lorica/io/import.h"
 #include "lorica/io/motion.h"
 #include "lorica/study/study_file.h"
+#include "lorica/threat/read_threat.h"
 #include "prepare_source.h"
 #include "references.h"
 
@@ -144,6 +146,7 @@ base::Issues checkStudy(const std::filesystem::path& path, base::Threads threads
       issues.push_back({Severity::error, error.file(), error.place(), error.text()});
     }
   }
+  base::append(issues, checkThreats(loaded, threads));
   base::append(issues, danglingReferences(loaded));
   for (const std::string& pose : defaultPoses(loaded.study)) {
     try {
@@ -162,7 +165,10 @@ base::Issues checkFile(const std::filesystem::path& path, base::Threads threads,
     if (path.extension() == ".json") {
       return checkStudy(path, threads, progress);
     }
-    return isMotion(path) ? checkMotion(path) : checkMesh(path);
+    if (isMotion(path)) {
+      return checkMotion(path);
+    }
+    return threat::isThreatFile(path) || path.extension() == ".csv" ? checkThreatFile(path, progress) : checkMesh(path);
   } catch (const base::InputError& error) {
     return {{Severity::error, error.file(), error.place(), error.text()}};
   }

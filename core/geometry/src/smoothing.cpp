@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "lorica/base/error.h"
+
 namespace lorica::geometry {
 
 namespace {
@@ -66,6 +68,27 @@ SurfaceNeighbours surfaceNeighbours(const TriangleMesh& mesh, const std::functio
       result.share[e] /= sum;
     }
   }
+  return result;
+}
+
+Positions taubinSmoothed(const TriangleMesh& mesh, const TaubinOptions& options) {
+  LORICA_CHECK(options.rounds >= 0 && options.lambda > 0.0 && options.mu > options.lambda && options.mu < 1.0,
+               "a step and a longer one back");
+  const SurfaceNeighbours neighbours = surfaceNeighbours(mesh);
+  std::vector<Vec3d> places;
+  for (const Vec3f& place : mesh.positions) {
+    places.emplace_back(place.cast<double>());
+  }
+  std::vector<Vec3d> moved(places.size());
+  for (int half = 0; half < 2 * options.rounds; ++half) {
+    const double share = half % 2 == 0 ? options.lambda : -options.mu;
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      moved[v] = places[v] + share * (neighbours.mean<Vec3d>(places, v, places[v]) - places[v]);
+    }
+    places.swap(moved);
+  }
+  Positions result(places.size());
+  std::transform(places.begin(), places.end(), result.begin(), [](const Vec3d& place) { return place.cast<float>(); });
   return result;
 }
 

@@ -4,8 +4,10 @@
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -16,7 +18,22 @@
 
 namespace lorica::io {
 
-std::string fieldsVtpBytes(std::span<const SceneMesh> scene, std::span<const TriangleField> fields) {
+namespace {
+
+vtkSmartPointer<vtkDoubleArray> arrayOf(const std::string& name, const std::vector<double>& values, vtkIdType count) {
+  LORICA_CHECK(static_cast<vtkIdType>(values.size()) == count, "a value per triangle or position");
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(oneLine(name).c_str());
+  for (const double value : values) {
+    array->InsertNextValue(value);
+  }
+  return array;
+}
+
+}  // namespace
+
+std::string fieldsVtpBytes(std::span<const SceneMesh> scene, std::span<const TriangleField> fields,
+                           std::span<const VertexField> vertexFields) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToFloat();
   vtkNew<vtkCellArray> cells;
@@ -48,13 +65,10 @@ std::string fieldsVtpBytes(std::span<const SceneMesh> scene, std::span<const Tri
   data->GetCellData()->SetScalars(colour);
   data->GetFieldData()->AddArray(names);
   for (const TriangleField& field : fields) {
-    LORICA_CHECK(static_cast<vtkIdType>(field.values.size()) == data->GetNumberOfCells(), "a value per triangle");
-    vtkNew<vtkDoubleArray> values;
-    values->SetName(oneLine(field.name).c_str());
-    for (const double value : field.values) {
-      values->InsertNextValue(value);
-    }
-    data->GetCellData()->AddArray(values);
+    data->GetCellData()->AddArray(arrayOf(field.name, field.values, data->GetNumberOfCells()));
+  }
+  for (const VertexField& field : vertexFields) {
+    data->GetPointData()->AddArray(arrayOf(field.name, field.values, data->GetNumberOfPoints()));
   }
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);

@@ -18,6 +18,21 @@ std::string sha256Text(const Node& node) {
   return digits;
 }
 
+InputFile readInputFile(const Node& node) {
+  InputFile input;
+  input.path = node["file"].name("a path");
+  if (const Node digits = node["sha256"]; digits.present()) {
+    input.sha256 = sha256Text(digits);
+  }
+  if (const Node units = node["units"]; units.present()) {
+    input.units = units.choice(unitWords);
+  }
+  if (const Node up = node["up"]; up.present()) {
+    input.up = up.choice(upWords);
+  }
+  return input;
+}
+
 std::vector<std::string> nameList(const Node& node, const std::string& what) {
   std::vector<std::string> names;
   Names taken;

@@ -32,8 +32,11 @@ class Names {
 /// The member `description`, empty when absent.
 std::string readDescription(const Node& node);
 std::string sha256Text(const Node& node);
+/// The keys of a file inside the object that has it.
+InputFile readInputFile(const Node& node);
 
 Source readSource(const Node& node);
+Threat readThreat(const Node& node);
 StopRule readStop(const Node& node);
 Overlap readOverlap(const Node& node);
 Analyses readAnalyses(const Node& node);

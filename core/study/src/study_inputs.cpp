@@ -11,6 +11,7 @@
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
 #include "lorica/study/study_file.h"
+#include "lorica/threat/read_threat.h"
 
 namespace lorica::study {
 
@@ -137,6 +138,11 @@ void forEachInput(AnyStudy& study, Visit visit) {
       visit(source.list);
     }
   }
+  for (auto& threat : study.threats) {
+    if (auto* input = std::get_if<InputFile>(&threat.from)) {
+      visit(*input);
+    }
+  }
 }
 
 }  // namespace
@@ -162,6 +168,9 @@ std::string sha256OfInput(const fs::path& path, std::string_view bytes) {
     for (const fs::path& buffer : bufferFiles(path, bytes)) {
       sum.add(readInput(buffer, fmt::format("put it back, {} needs it", path.filename().string())));
     }
+  }
+  for (const fs::path& part : threat::filesOfSeries(path)) {
+    sum.add(readInput(part, fmt::format("put it back, {} needs it", path.filename().string())));
   }
   return sum.hexadecimal();
 }

@@ -49,18 +49,7 @@ MeshSource readMesh(const Node& node) {
       }
     }
   } else {
-    InputFile input;
-    input.path = file.name("a path");
-    if (const Node digits = node["sha256"]; digits.present()) {
-      input.sha256 = sha256Text(digits);
-    }
-    if (const Node units = node["units"]; units.present()) {
-      input.units = units.choice(unitWords);
-    }
-    if (const Node up = node["up"]; up.present()) {
-      input.up = up.choice(upWords);
-    }
-    mesh.from = std::move(input);
+    mesh.from = readInputFile(node);
   }
   if (const Node parts = node["parts"]; parts.present()) {
     mesh.parts = nameList(parts, "names of parts");
@@ -354,6 +343,7 @@ void readLists(const Node& root, Study& study) {
   Names systems;
   Names poses;
   Names sources;
+  Names threats;
   Names motions;
   if (const Node list = root["motions"]; list.present()) {
     for (const Node& motion : list.list("a list of recorded motions")) {
@@ -382,6 +372,12 @@ void readLists(const Node& root, Study& study) {
     for (const Node& source : list.list("a list of sources")) {
       study.sources.push_back(readSource(source));
       sources.claim(source["name"], study.sources.back().name);
+    }
+  }
+  if (const Node list = root["threats"]; list.present()) {
+    for (const Node& threat : list.list("a list of threat data")) {
+      study.threats.push_back(readThreat(threat));
+      threats.claim(threat["name"], study.threats.back().name);
     }
   }
   if (const Node list = root["display"]; list.present()) {

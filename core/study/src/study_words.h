@@ -14,9 +14,9 @@
 namespace lorica::study {
 
 inline constexpr auto studyKeys = std::to_array<std::string_view>(
-    {"lorica_study", "name",      "description",     "human",    "motions",  "organs", "armor",
-     "poses",        "run_poses", "sources",         "models",   "trials",   "seed",   "stop",
-     "overlap",      "analyses",  "site_spacing_mm", "skinning", "deformer", "display"});
+    {"lorica_study", "name",      "description", "human",           "motions",  "organs",   "armor",
+     "poses",        "run_poses", "sources",     "threats",         "models",   "trials",   "seed",
+     "stop",         "overlap",   "analyses",    "site_spacing_mm", "skinning", "deformer", "display"});
 inline constexpr auto stopKeys = std::to_array<std::string_view>({"structures", "half_width", "max_trials"});
 inline constexpr auto analysesKeys =
     std::to_array<std::string_view>({"compare", "convergence", "directions", "motion", "gaps", "anatomy"});
@@ -43,9 +43,16 @@ inline constexpr auto turnKeys = std::to_array<std::string_view>({"joint", "degr
 inline constexpr auto sourceKeys = std::to_array<std::string_view>(
     {"name", "description", "type", "position", "target", "target_structure", "sampler", "width_m", "height_m",
      "radius_m", "azimuth_deg", "elevation_deg", "sequence", "cell_mm", "file", "sha256", "shots"});
+inline constexpr auto threatKeys = std::to_array<std::string_view>(
+    {"name", "description", "file", "sha256", "units", "up", "time_units", "attribute", "builtin", "tnt_kg", "position",
+     "threshold", "reach_mm", "time_offset_ms", "offset", "turn_deg", "display"});
+inline constexpr auto threatDisplayKeys = std::to_array<std::string_view>({"visible", "range"});
 inline constexpr auto displayKeys = std::to_array<std::string_view>({"structure", "visible", "colour", "opacity"});
 
 using shotline::OverlapPolicy;
+
+/// The builtin of threat data.
+inline constexpr auto blastBuiltin = "blast";
 
 template <class Value>
 using Word = std::pair<std::string_view, Value>;
@@ -78,6 +85,8 @@ inline constexpr auto unitWords = std::to_array<Word<base::LengthUnit>>({{"m", b
                                                                          {"cm", base::LengthUnit::centimetre},
                                                                          {"mm", base::LengthUnit::millimetre},
                                                                          {"in", base::LengthUnit::inch}});
+inline constexpr auto timeUnitWords = std::to_array<Word<TimeUnit>>(
+    {{"s", TimeUnit::second}, {"ms", TimeUnit::millisecond}, {"us", TimeUnit::microsecond}});
 inline constexpr auto upWords = std::to_array<Word<char>>({{"y", 'y'}, {"z", 'z'}});
 inline constexpr auto classWords =
     std::to_array<Word<std::string_view>>({{"essential", "essential"}, {"desirable", "desirable"}});

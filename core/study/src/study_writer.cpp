@@ -73,19 +73,22 @@ void putNames(Json& object, const char* key, const std::vector<std::string>& nam
   }
 }
 
+void putInput(Json& object, const InputFile& input) {
+  object["file"] = input.path;
+  putText(object, "sha256", input.sha256);
+  if (input.units) {
+    object["units"] = wordFor(*input.units, unitWords);
+  }
+  if (input.up) {
+    object["up"] = wordFor(*input.up, upWords);
+  }
+}
+
 void putMesh(Json& object, const MeshSource& mesh) {
   if (const auto* builtin = std::get_if<Builtin>(&mesh.from)) {
     object["builtin"] = builtin->name;
   } else {
-    const auto& input = std::get<InputFile>(mesh.from);
-    object["file"] = input.path;
-    putText(object, "sha256", input.sha256);
-    if (input.units) {
-      object["units"] = wordFor(*input.units, unitWords);
-    }
-    if (input.up) {
-      object["up"] = wordFor(*input.up, upWords);
-    }
+    putInput(object, std::get<InputFile>(mesh.from));
   }
   putNames(object, "parts", mesh.parts);
 }
@@ -268,6 +271,54 @@ Json sourceJson(const Source& source) {
   return object;
 }
 
+/// What a file alone has.
+void putThreatFile(Json& object, const Threat& threat, const InputFile& file) {
+  const Threat defaults;
+  putInput(object, file);
+  if (threat.timeUnits) {
+    object["time_units"] = wordFor(*threat.timeUnits, timeUnitWords);
+  }
+  putText(object, "attribute", threat.attribute);
+  if (threat.reach) {
+    object["reach_mm"] = millimetres(*threat.reach);
+  }
+  if (threat.offset != defaults.offset) {
+    object["offset"] = vectorJson(threat.offset);
+  }
+  if (threat.turn != defaults.turn) {
+    object["turn_deg"] = vectorJson(threat.turn);
+  }
+}
+
+Json threatJson(const Threat& threat) {
+  Json object = named(threat.name, threat.description);
+  if (const auto* charge = std::get_if<BlastCharge>(&threat.from)) {
+    object["builtin"] = blastBuiltin;
+    object["tnt_kg"] = charge->tntKilograms;
+    object["position"] = vectorJson(charge->position);
+  } else {
+    putThreatFile(object, threat, std::get<InputFile>(threat.from));
+  }
+  if (threat.threshold) {
+    object["threshold"] = *threat.threshold;
+  }
+  if (threat.timeOffset != 0.0) {
+    // Seconds in ms are as metres in mm.
+    object["time_offset_ms"] = millimetres(threat.timeOffset);
+  }
+  Json display = Json::object();
+  if (!threat.display.visible) {
+    display["visible"] = false;
+  }
+  if (threat.display.range) {
+    display["range"] = *threat.display.range;
+  }
+  if (!display.empty()) {
+    object["display"] = std::move(display);
+  }
+  return object;
+}
+
 Json stopJson(const StopRule& stop) {
   return {{"structures", stop.structures}, {"half_width", stop.halfWidth}, {"max_trials", stop.maxTrials}};
 }
@@ -367,6 +418,7 @@ Json studyJson(const Study& study) {
   putList(root, "poses", study.poses, poseJson);
   putNames(root, "run_poses", study.runPoses);
   putList(root, "sources", study.sources, sourceJson);
+  putList(root, "threats", study.threats, threatJson);
   // What decides the numbers is written out, defaults or not.
   root["models"] = Json::array();
   for (const OrganModel model : study.models) {

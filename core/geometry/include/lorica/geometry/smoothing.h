@@ -40,4 +40,16 @@ struct SurfaceNeighbours {
 SurfaceNeighbours surfaceNeighbours(const TriangleMesh& mesh,
                                     const std::function<bool(std::uint32_t vertex)>& kept = {});
 
+/// Taubin (1995), "A Signal Processing Approach to Fair Surface Design": a round is a step towards the mean of the
+/// neighbours and one back that is a little longer, which together leave long waves as they are.
+struct TaubinOptions {
+  int rounds = 10;
+  double lambda = 0.33;  ///< share of the way to the mean, 0 to 1
+  double mu = 0.34;      ///< share of the way back, above lambda; the waves kept are those below 1/lambda - 1/mu
+};
+
+/// Positions smoothed without shrinking; corners on the border of an open mesh move too.
+/// Cost: some nanoseconds per edge and round.
+Positions taubinSmoothed(const TriangleMesh& mesh, const TaubinOptions& options = {});
+
 }  // namespace lorica::geometry

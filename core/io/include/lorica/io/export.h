@@ -40,9 +40,16 @@ struct TriangleField {
   std::vector<double> values;  ///< one per triangle, mesh by mesh; not a number where there is none
 };
 
-/// sceneBytes() as VTP, with a cell array in double precision for each field.
-/// \pre as sceneBytes, and a value per triangle of the scene
-std::string fieldsVtpBytes(std::span<const SceneMesh> scene, std::span<const TriangleField> fields);
+/// Numbers of the vertices of a scene.
+struct VertexField {
+  std::string name;
+  std::vector<double> values;  ///< one per position, mesh by mesh; not a number where there is none
+};
+
+/// sceneBytes() as VTP, with an array in double precision for each field: of cells for triangles, of points for
+/// vertices. \pre as sceneBytes, and a value per triangle or position of the scene
+std::string fieldsVtpBytes(std::span<const SceneMesh> scene, std::span<const TriangleField> fields,
+                           std::span<const VertexField> vertexFields = {});
 
 /// sceneBytes() into a file, all or nothing. \throw base::InputError when the place cannot be written
 void writeScene(std::span<const SceneMesh> scene, SceneFormat format, const std::filesystem::path& path);

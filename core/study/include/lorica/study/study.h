@@ -19,6 +19,7 @@
 #include "lorica/human/person.h"
 #include "lorica/shotline/partition.h"
 #include "lorica/shotline/source.h"
+#include "lorica/threat/read_threat.h"
 #include "lorica/viscera/organ_rig.h"
 
 namespace lorica::study {
@@ -26,7 +27,8 @@ namespace lorica::study {
 /// A file the study reads. Relative paths are relative to the study file, with '/' between folders.
 struct InputFile {
   std::string path;
-  std::string sha256;  ///< 64 lower-case hexadecimal digits of its bytes (with those of the buffers a .gltf refers to)
+  std::string
+      sha256;  ///< 64 lower-case hexadecimal digits of its bytes (with those of the files a .gltf or .pvd names)
   std::optional<base::LengthUnit> units;  ///< only when the format or the guess was overruled
   std::optional<char> up;                 ///< 'y' or 'z', likewise
   bool operator==(const InputFile&) const = default;
@@ -51,6 +53,7 @@ using armor::Carriage;
 using human::Skinning;
 using shotline::Sampler;
 using shotline::Sequence;
+using threat::TimeUnit;
 using viscera::Deformer;
 using viscera::OrganModel;
 
@@ -225,6 +228,36 @@ struct Analyses {
   bool operator==(const Analyses&) const = default;
 };
 
+/// A charge in free air, whose blast the program works out (lorica/threat/blast.h).
+struct BlastCharge {
+  double tntKilograms = 1.0;
+  geometry::Vec3d position = geometry::Vec3d::Zero();  ///< metres
+  bool operator==(const BlastCharge&) const = default;
+};
+
+/// How threat data are drawn; changes no number.
+struct ThreatDisplay {
+  bool visible = true;
+  std::optional<std::array<double, 2>> range{};  ///< of the attribute, from the first to the last colour
+  bool operator==(const ThreatDisplay&) const = default;
+};
+
+/// Threat data on and around the body (lorica/threat/threat_field.h).
+struct Threat {
+  std::string name;
+  std::variant<InputFile, BlastCharge> from;
+  std::optional<TimeUnit> timeUnits{};               ///< of a file that does not say them, when not seconds
+  std::string attribute{};                           ///< of a file; empty: the first
+  std::optional<double> threshold{};                 ///< of the attribute, in its unit
+  std::optional<double> reach{};                     ///< metres from scattered points beyond which there is no value
+  double timeOffset = 0.0;                           ///< seconds, added to the times of the data
+  geometry::Vec3d offset = geometry::Vec3d::Zero();  ///< metres, where a file's origin lies in the scene
+  geometry::Vec3d turn = geometry::Vec3d::Zero();    ///< degrees of a file about the scene's x, then y, then z
+  ThreatDisplay display{};
+  std::string description{};  ///< free text
+  bool operator==(const Threat&) const = default;
+};
+
 /// How a structure is drawn where that is not the program's default; changes no number.
 struct Display {
   std::string structure;  ///< "body", an organ or an armor piece
@@ -248,6 +281,7 @@ struct Study {
   /// Poses a run computes: names, or clips at a time written CLIP@SECONDS; empty: rest and all of `poses`.
   std::vector<std::string> runPoses;
   std::vector<Source> sources;
+  std::vector<Threat> threats;
   std::vector<OrganModel> models{OrganModel::staticJoint, OrganModel::dynamic};
   std::uint32_t trials = 5;
   std::uint64_t seed = 1;

@@ -45,7 +45,8 @@ base::Issues checkInputs(const Study& study, const std::filesystem::path& studyF
 Study withCurrentHashes(const Study& study, const std::filesystem::path& studyFile);
 
 /// SHA-256 of a file's bytes, lower-case hexadecimal. For a .gltf, over its bytes followed by those of every buffer
-/// file it names, in order; data: uris are part of its own bytes. \throw base::InputError
+/// file it names, in order; data: uris are part of its own bytes. For a .pvd likewise with the files of the series.
+/// \throw base::InputError
 std::string sha256OfInput(const std::filesystem::path& path);
 /// The same of a file whose own bytes were read already.
 std::string sha256OfInput(const std::filesystem::path& path, std::string_view bytes);
