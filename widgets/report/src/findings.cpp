@@ -1,0 +1,275 @@
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "chapters.h"
+#include "coverage_marks.h"
+#include "table.h"
+#include "words.h"
+
+namespace lorica::report {
+
+namespace {
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(lorica::report)
+};
+
+/// Static against deforming organs, one structure.
+struct ModelDifference {
+  std::string source;
+  std::string system;
+  std::string pose;
+  StructureKey structure;
+  analysis::Coverage rigid;
+  analysis::Coverage deforming;
+  double size() const { return std::abs(*difference(rigid, deforming)); }
+};
+
+/// Those whose intervals lie apart, the largest first; ties keep the tables' order.
+std::vector<ModelDifference> modelDifferences(const RunView& view, const std::vector<StructureKey>& structures) {
+  std::vector<ModelDifference> all;
+  for (const std::string& source : view.sources) {
+    for (const std::string& system : view.armored) {
+      for (const std::string& pose : view.posesOf(source)) {
+        for (const StructureKey& structure : structures) {
+          ModelDifference one{source,
+                              system,
+                              pose,
+                              structure,
+                              view.coverage(source, system, *view.rigid, pose, structure),
+                              view.coverage(source, system, *view.deforming, pose, structure)};
+          if (apart(one.rigid, one.deforming)) {
+            all.push_back(std::move(one));
+          }
+        }
+      }
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const ModelDifference& a, const ModelDifference& b) { return a.size() > b.size(); });
+  return all;
+}
+
+QString fromSource(const RunView& view, const std::string& source) {
+  return view.sources.size() > 1 ? Text::tr(" from %1").arg(text(source)) : QString();
+}
+
+QString sentence(const RunView& view, const ModelDifference& one) {
+  const double change = 100.0 * *difference(one.rigid, one.deforming);
+  return Text::tr("%1 in %2 under %3%4: %5 with %6 organs against %7 with %8 ones, %9 percentage points.")
+      .arg(structureLabel(one.structure.structure, one.structure.kind), text(one.pose), text(one.system),
+           fromSource(view, one.source), percentWithRange(one.deforming), Text::tr("deforming"),
+           percentWithRange(one.rigid), Text::tr("rigid"), number(change, 1, true));
+}
+
+void writeModelDifferences(const Report& report) {
+  Sheet& sheet = report.sheet;
+  const RunView& view = report.view;
+  if (!view.rigid || !view.deforming || view.organs.empty()) {
+    return;
+  }
+  sheet.section(Text::tr("What deforming the organs changes"));
+  constexpr std::size_t most = 5;
+  const std::vector<ModelDifference> found = modelDifferences(view, view.organs);
+  std::size_t compared = 0;
+  for (const std::string& source : view.sources) {
+    compared += view.posesOf(source).size() * view.armored.size() * view.organs.size();
+  }
+  if (found.empty()) {
+    sheet.paragraph(Text::tr("In none of %1 combinations of organ, pose, system and source do the 95 % intervals of "
+                             "%2 and %3 lie apart: the run shows no difference in coverage between the two models.")
+                        .arg(compared)
+                        .arg(modelLabel(*view.rigid), modelLabel(*view.deforming)));
+    return;
+  }
+  sheet.paragraph(Text::tr("The 95 % intervals of %1 and %2 lie apart in %3 of %4 combinations of organ, pose, system "
+                           "and source. The largest differences in coverage:")
+                      .arg(modelLabel(*view.rigid), modelLabel(*view.deforming))
+                      .arg(found.size())
+                      .arg(compared));
+  for (std::size_t i = 0; i < found.size() && i < most; ++i) {
+    sheet.bullet(sentence(view, found[i]));
+  }
+}
+
+/// Lowest and highest coverage of a total over poses.
+QString spanOf(const RunView& view, const std::string& source, const std::string& system, const StructureKey& total) {
+  const analysis::Coverage* lowest = nullptr;
+  const analysis::Coverage* highest = nullptr;
+  std::string lowestPose;
+  std::string highestPose;
+  for (const std::string& pose : view.posesOf(source)) {
+    const analysis::CoverageRow* row = view.row(source, system, view.mainModel(), pose, total);
+    if (row == nullptr || !row->coverage.value) {
+      continue;
+    }
+    if (lowest == nullptr || *row->coverage.value < *lowest->value) {
+      lowest = &row->coverage;
+      lowestPose = pose;
+    }
+    if (highest == nullptr || *row->coverage.value > *highest->value) {
+      highest = &row->coverage;
+      highestPose = pose;
+    }
+  }
+  if (lowest == nullptr) {
+    return {};
+  }
+  const QString name = structureLabel(total.structure, total.kind).toLower();
+  if (lowest == highest) {
+    return Text::tr("%1 of the shots that reach %2 (%3)").arg(percentWithRange(*lowest), name, text(lowestPose));
+  }
+  return Text::tr("between %1 (%2) and %3 (%4) of the shots that reach %5")
+      .arg(percentWithRange(*lowest), text(lowestPose), percentWithRange(*highest), text(highestPose), name);
+}
+
+void writeSystemSentences(const Report& report) {
+  const RunView& view = report.view;
+  for (const std::string& source : view.sources) {
+    for (const std::string& system : view.armored) {
+      for (const StructureKey& total : view.totals) {
+        if (total.kind == "class" && total.structure != "essential") {
+          continue;
+        }
+        const QString span = spanOf(view, source, system, total);
+        if (!span.isEmpty()) {
+          report.sheet.bullet(
+              Text::tr("%1%2 lies in the way of %3.").arg(text(system), fromSource(view, source), span));
+        }
+      }
+    }
+  }
+}
+
+/// One table of totals: a row for each pose and system, the shown models side by side.
+void writeTotals(const Report& report, const std::string& source) {
+  Sheet& sheet = report.sheet;
+  const RunView& view = report.view;
+  const bool both = view.shownModels.size() == 2;
+  constexpr double label = 36.0;
+  const double share = (Sheet::width - label) / static_cast<double>(view.totals.size());
+  std::vector<Column> columns{{label, Qt::AlignLeft}};
+  std::vector<Head> upper{{QString()}};
+  std::vector<Head> lower{{Text::tr("Pose, system")}};
+  for (const StructureKey& total : view.totals) {
+    const double change = both ? 0.26 * share : 0.0;
+    for (const std::string& model : view.shownModels) {
+      columns.push_back({(share - change) / static_cast<double>(view.shownModels.size())});
+      lower.push_back({both ? (model == *view.rigid ? Text::tr("static, %") : Text::tr("dynamic, %"))
+                            : Text::tr("%1, %").arg(modelLabel(model))});
+    }
+    if (both) {
+      columns.push_back({change});
+      lower.push_back({Text::tr("diff.")});
+    }
+    upper.push_back(
+        {structureLabel(total.structure, total.kind), static_cast<int>(view.shownModels.size()) + (both ? 1 : 0)});
+  }
+  Table table(sheet, columns, {upper, lower});
+  table.setCaption(both ? Text::tr("Coverage from source %1: share of the shots that reach the organs whose way leads "
+                                   "through armor first, with 95 % intervals. Static: %2; dynamic: %3; difference in "
+                                   "percentage points, bold where the intervals lie apart.")
+                              .arg(text(source), modelLabel(*view.rigid), modelLabel(*view.deforming))
+                        : Text::tr("Coverage from source %1: share of the shots that reach the organs whose way leads "
+                                   "through armor first, with 95 % intervals.")
+                              .arg(text(source)));
+  for (const std::string& pose : view.posesOf(source)) {
+    table.section(text(pose));
+    for (const std::string& system : view.armored) {
+      std::vector<Cell> cells{{text(system)}};
+      for (const StructureKey& total : view.totals) {
+        std::vector<analysis::Coverage> shown;
+        for (const std::string& model : view.shownModels) {
+          shown.push_back(view.coverage(source, system, model, pose, total));
+          cells.push_back({percent(shown.back().value), range(shown.back())});
+        }
+        if (both) {
+          cells.push_back({points(difference(shown[0], shown[1])), {}, apart(shown[0], shown[1])});
+        }
+      }
+      table.row(cells);
+    }
+  }
+  table.end();
+}
+
+/// The same as marks on axes, every model of the run.
+void writeTotalsFigure(const Report& report, const std::string& source) {
+  Sheet& sheet = report.sheet;
+  const RunView& view = report.view;
+  const auto& modelsOfRun = report.run.facts.models;
+  constexpr double label = 36.0;
+  const double share = (Sheet::width - label) / static_cast<double>(view.totals.size());
+  std::vector<Column> columns{{label, Qt::AlignLeft}};
+  std::vector<Head> upper{{QString()}};
+  for (const StructureKey& total : view.totals) {
+    columns.push_back({share, Qt::AlignHCenter});
+    upper.push_back({structureLabel(total.structure, total.kind)});
+  }
+  sheet.need(60.0);
+  sheet.line(
+      {Sheet::left, sheet.y(), Sheet::width, 4.5},
+      Text::tr("Figure %1. Coverage from source %2, by pose and system.").arg(sheet.nextFigure()).arg(text(source)),
+      styles::caption);
+  sheet.space(5.0);
+  drawMarkLegend(sheet, modelsOfRun);
+  Table figure(sheet, columns, {upper, std::vector<Head>(columns.size())});
+  figure.setHeadDrawing([&](const std::vector<QRectF>& boxes) {
+    for (std::size_t i = 1; i < boxes.size(); ++i) {
+      drawCoverageScale(sheet, boxes[i]);
+    }
+  });
+  for (const std::string& pose : view.posesOf(source)) {
+    figure.section(text(pose));
+    for (const std::string& system : view.armored) {
+      std::vector<Table::Drawing> drawings;
+      for (const StructureKey& total : view.totals) {
+        std::vector<MarkedCoverage> marks;
+        for (const std::string& model : modelsOfRun) {
+          marks.push_back({markOf(model), view.coverage(source, system, model, pose, total)});
+        }
+        drawings.emplace_back([&sheet, marks](const QRectF& box) { drawCoverage(sheet, box, marks); });
+      }
+      // Blank lines make room for the marks of many models.
+      const QString room = modelsOfRun.size() > 2 ? QStringLiteral(" ") : QString();
+      figure.row({{text(system), room}}, drawings);
+    }
+  }
+  figure.end();
+}
+
+}  // namespace
+
+void writeFindings(const Report& report) {
+  Sheet& sheet = report.sheet;
+  const RunView& view = report.view;
+  sheet.chapter(Text::tr("Key findings"));
+  if (report.run.summary.empty()) {
+    sheet.paragraph(
+        Text::tr("No trial of any source and pose was finished, so there is nothing to say about coverage. "
+                 "Run the study again and let it finish."));
+    return;
+  }
+  if (view.armored.empty()) {
+    sheet.paragraph(
+        Text::tr("The study has no armor, so nothing is covered. The chapters below say how often each "
+                 "organ and body region is reached."));
+    return;
+  }
+  if (view.totals.empty()) {
+    sheet.paragraph(Text::tr("The study has no organs. The chapter on body regions says how they are covered."));
+    return;
+  }
+  writeSystemSentences(report);
+  writeModelDifferences(report);
+  sheet.space(2.0);
+  for (const std::string& source : view.sources) {
+    if (!view.posesOf(source).empty()) {
+      writeTotalsFigure(report, source);
+      writeTotals(report, source);
+    }
+  }
+}
+
+}  // namespace lorica::report
