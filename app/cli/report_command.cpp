@@ -25,6 +25,8 @@ class Drawing {
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
       qputenv("QT_QPA_PLATFORM", "offscreen");
     }
+    // Its remarks about the machine are no findings of ours.
+    qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
     application_ = std::make_unique<QGuiApplication>(count_, arguments_.data());
   }
 

@@ -14,9 +14,9 @@ namespace {
 using geometry::Vec3d;
 using geometry::Vec3f;
 
-constexpr std::size_t edgeGrid = 4;
+constexpr std::size_t edgeGrid = 3;
 /// Steps between neighbours that the eye takes for an edge, of 255.
-constexpr int edgeStep = 10;
+constexpr int edgeStep = 16;
 constexpr double ambient = 0.42;
 /// A translucent surface at a right angle to the view is this much of the way to opaque.
 constexpr double slantDensity = 0.55;

@@ -1,7 +1,9 @@
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "chapters.h"
 #include "coverage_marks.h"
+#include "lorica/models/numbers.h"
 #include "table.h"
 #include "words.h"
 
@@ -33,7 +35,7 @@ class OrganTable {
         both_(view_.shownModels.size() == 2) {}
 
   void write() {
-    std::vector<Column> columns{{32.0, Qt::AlignLeft}, {7.0, Qt::AlignHCenter}};
+    std::vector<Column> columns{{30.0, Qt::AlignLeft}, {6.0, Qt::AlignHCenter}};
     std::vector<Head> upper{{QString(), 2}};
     std::vector<Head> lower{{Text::tr("Organ")}, {QString()}};
     const auto group = [&](const QString& title, double width, double change) {
@@ -48,8 +50,8 @@ class OrganTable {
       }
       upper.push_back({title, static_cast<int>(view_.shownModels.size()) + (both_ && change > 0.0 ? 1 : 0)});
     };
-    group(Text::tr("Hit, % of body hits"), both_ ? 15.0 : 30.0, 0.0);
-    group(Text::tr("Coverage, %"), both_ ? 21.5 : 43.0, 14.0);
+    group(Text::tr("Hit, % of body hits"), both_ ? 13.0 : 26.0, 0.0);
+    group(Text::tr("Coverage, %"), both_ ? 26.0 : 52.0, 12.0);
     double used = 0.0;
     for (const Column& column : columns) {
       used += column.width;
@@ -59,6 +61,8 @@ class OrganTable {
     lower.push_back({QString()});
     Table table(report_.sheet, columns, {upper, lower});
     table.setCaption(caption());
+    // Two models need no more than a line; each further one has its own mark.
+    table.setLeastHeight(4.7 + 1.6 * std::max(0.0, static_cast<double>(report_.run.facts.models.size()) - 2.0));
     table.setHeadDrawing([this](const std::vector<QRectF>& boxes) { drawCoverageScale(report_.sheet, boxes.back()); });
     for (const StructureKey& organ : view_.organs) {
       row(table, organ, false);
@@ -73,7 +77,9 @@ class OrganTable {
   QString caption() const {
     const analysis::CoverageRow* body = view_.row(source_, system_, view_.mainModel(), pose_, {"body", "body"});
     const QString base =
-        body == nullptr ? QString() : Text::tr(" %1 of %2 shots hit the body.").arg(body->any).arg(body->shots);
+        body == nullptr
+            ? QString()
+            : Text::tr(" %1 of %2 shots hit the body.").arg(models::grouped(body->any), models::grouped(body->shots));
     return Text::tr("Source %1, pose %2, system %3.").arg(text(source_), text(pose_), text(system_)) + base;
   }
 
@@ -86,7 +92,7 @@ class OrganTable {
     }
     for (const std::string& model : view_.shownModels) {
       shown.push_back(view_.coverage(source_, system_, model, pose_, structure));
-      cells.push_back({percent(shown.back().value), range(shown.back()), total});
+      cells.push_back({percent(shown.back().value), range(shown.back()), total, {}, 1, true});
     }
     if (both_) {
       cells.push_back({points(difference(shown[0], shown[1])), {}, apart(shown[0], shown[1])});
@@ -163,8 +169,8 @@ void writeOrganCoverage(const Report& report) {
       "95 % intervals.");
   if (view.shownModels.size() == 2) {
     words += Text::tr(
-                 " Static: %1. Dynamic: %2. Differences in percentage points, dynamic minus static, bold where the "
-                 "intervals lie apart.")
+                 " Columns static and dynamic are the models \u201c%1\u201d and \u201c%2\u201d; differences are "
+                 "dynamic minus static in percentage points, bold where the intervals lie apart.")
                  .arg(modelLabel(*view.rigid), modelLabel(*view.deforming));
   }
   sheet.paragraph(words);

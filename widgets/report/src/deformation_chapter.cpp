@@ -100,16 +100,23 @@ void writeBars(const Report& report) {
   if (gave == 0) {
     return;
   }
-  Table table(sheet, {{36.0, Qt::AlignLeft}, {38.0, Qt::AlignLeft}, {100.0, Qt::AlignLeft}},
-              {{{Text::tr("Organ")}, {Text::tr("Pose")}, {Text::tr("What gave way")}}});
+  Table table(sheet, {{36.0, Qt::AlignLeft}, {138.0, Qt::AlignLeft}},
+              {{{Text::tr("Organ")}, {Text::tr("What gave way, by pose")}}});
   table.setCaption(Text::tr("Organs that did not keep a bar."));
   for (const std::string& model : report.run.facts.models) {
     table.section(modelLabel(model));
-    for (const DeformationRow& row : report.run.deformation) {
-      if (row.model == model && !row.gaveWay.empty()) {
-        table.row({{text(row.organ)},
-                   {text(row.pose)},
-                   {text(row.gaveWay).replace(QStringLiteral("cm3"), QStringLiteral("cm\u00b3")), {}, false, {}, 3}});
+    for (const StructureKey& organ : report.view.organs) {
+      QStringList found;
+      for (const DeformationRow& row : report.run.deformation) {
+        if (row.model == model && row.organ == organ.structure && !row.gaveWay.empty()) {
+          found.push_back(QStringLiteral("%1: %2").arg(text(row.pose), text(row.gaveWay)));
+        }
+      }
+      if (!found.isEmpty()) {
+        constexpr int most = 14;
+        const QString all =
+            found.join(QStringLiteral(" \u00b7 ")).replace(QStringLiteral("cm3"), QStringLiteral("cm\u00b3"));
+        table.row({{text(organ.structure)}, {all, {}, false, {}, most}});
       }
     }
   }

@@ -93,49 +93,42 @@ void writeModelDifferences(const Report& report) {
   }
 }
 
-/// Lowest and highest coverage of a total over poses.
-QString spanOf(const RunView& view, const std::string& source, const std::string& system, const StructureKey& total) {
-  const analysis::Coverage* lowest = nullptr;
-  const analysis::Coverage* highest = nullptr;
-  std::string lowestPose;
-  std::string highestPose;
+/// Where the coverage of a total is lowest and highest over the poses.
+void writeSpan(const Report& report, const std::string& source, const std::string& system, const StructureKey& total) {
+  const RunView& view = report.view;
+  const analysis::CoverageRow* lowest = nullptr;
+  const analysis::CoverageRow* highest = nullptr;
   for (const std::string& pose : view.posesOf(source)) {
     const analysis::CoverageRow* row = view.row(source, system, view.mainModel(), pose, total);
     if (row == nullptr || !row->coverage.value) {
       continue;
     }
-    if (lowest == nullptr || *row->coverage.value < *lowest->value) {
-      lowest = &row->coverage;
-      lowestPose = pose;
+    if (lowest == nullptr || *row->coverage.value < *lowest->coverage.value) {
+      lowest = row;
     }
-    if (highest == nullptr || *row->coverage.value > *highest->value) {
-      highest = &row->coverage;
-      highestPose = pose;
+    if (highest == nullptr || *row->coverage.value > *highest->coverage.value) {
+      highest = row;
     }
   }
   if (lowest == nullptr) {
-    return {};
+    return;
   }
   const QString name = structureLabel(total.structure, total.kind).toLower();
-  if (lowest == highest) {
-    return Text::tr("%1 of the shots that reach %2 (%3)").arg(percentWithRange(*lowest), name, text(lowestPose));
-  }
-  return Text::tr("between %1 (%2) and %3 (%4) of the shots that reach %5")
-      .arg(percentWithRange(*lowest), text(lowestPose), percentWithRange(*highest), text(highestPose), name);
+  const QString head = Text::tr("%1, %2%3:").arg(text(system), name, fromSource(view, source));
+  const QString least = Text::tr("%1 of the shots that reach them meet armor first in %2")
+                            .arg(percentWithRange(lowest->coverage), text(lowest->place.pose));
+  report.sheet.bullet(lowest == highest
+                          ? QStringLiteral("%1 %2.").arg(head, least)
+                          : Text::tr("%1 %2, the least, and %3 in %4, the most.")
+                                .arg(head, least, percentWithRange(highest->coverage), text(highest->place.pose)));
 }
 
 void writeSystemSentences(const Report& report) {
-  const RunView& view = report.view;
-  for (const std::string& source : view.sources) {
-    for (const std::string& system : view.armored) {
-      for (const StructureKey& total : view.totals) {
-        if (total.kind == "class" && total.structure != "essential") {
-          continue;
-        }
-        const QString span = spanOf(view, source, system, total);
-        if (!span.isEmpty()) {
-          report.sheet.bullet(
-              Text::tr("%1%2 lies in the way of %3.").arg(text(system), fromSource(view, source), span));
+  for (const std::string& source : report.view.sources) {
+    for (const std::string& system : report.view.armored) {
+      for (const StructureKey& total : report.view.totals) {
+        if (total.kind != "class" || total.structure == "essential") {
+          writeSpan(report, source, system, total);
         }
       }
     }
@@ -166,14 +159,22 @@ void writeTotals(const Report& report, const std::string& source) {
     upper.push_back(
         {structureLabel(total.structure, total.kind), static_cast<int>(view.shownModels.size()) + (both ? 1 : 0)});
   }
+  // Rather on a page of its own than cut, where it fits on one.
+  const double rows = 5.6 + 8.0 * static_cast<double>(view.armored.size());
+  const double height = 20.0 + static_cast<double>(view.posesOf(source).size()) * rows;
+  if (height < Sheet::bottom - Sheet::top) {
+    sheet.need(height);
+  }
   Table table(sheet, columns, {upper, lower});
-  table.setCaption(both ? Text::tr("Coverage from source %1: share of the shots that reach the organs whose way leads "
-                                   "through armor first, with 95 % intervals. Static: %2; dynamic: %3; difference in "
-                                   "percentage points, bold where the intervals lie apart.")
-                              .arg(text(source), modelLabel(*view.rigid), modelLabel(*view.deforming))
-                        : Text::tr("Coverage from source %1: share of the shots that reach the organs whose way leads "
-                                   "through armor first, with 95 % intervals.")
-                              .arg(text(source)));
+  table.setCaption(
+      both ? Text::tr("Coverage from source %1: share of the shots that reach the organs whose way leads "
+                      "through armor first, with 95 % intervals. Static and dynamic are the models \u201c%2\u201d and "
+                      "\u201c%3\u201d; difference in percentage points, bold where the intervals lie "
+                      "apart.")
+                 .arg(text(source), modelLabel(*view.rigid), modelLabel(*view.deforming))
+           : Text::tr("Coverage from source %1: share of the shots that reach the organs whose way leads "
+                      "through armor first, with 95 % intervals.")
+                 .arg(text(source)));
   for (const std::string& pose : view.posesOf(source)) {
     table.section(text(pose));
     for (const std::string& system : view.armored) {
@@ -215,6 +216,7 @@ void writeTotalsFigure(const Report& report, const std::string& source) {
   sheet.space(5.0);
   drawMarkLegend(sheet, modelsOfRun);
   Table figure(sheet, columns, {upper, std::vector<Head>(columns.size())});
+  figure.setLeastHeight(1.6 + 2.1 * static_cast<double>(std::max<std::size_t>(modelsOfRun.size(), 2)));
   figure.setHeadDrawing([&](const std::vector<QRectF>& boxes) {
     for (std::size_t i = 1; i < boxes.size(); ++i) {
       drawCoverageScale(sheet, boxes[i]);
@@ -231,9 +233,7 @@ void writeTotalsFigure(const Report& report, const std::string& source) {
         }
         drawings.emplace_back([&sheet, marks](const QRectF& box) { drawCoverage(sheet, box, marks); });
       }
-      // Blank lines make room for the marks of many models.
-      const QString room = modelsOfRun.size() > 2 ? QStringLiteral(" ") : QString();
-      figure.row({{text(system), room}}, drawings);
+      figure.row({{text(system)}}, drawings);
     }
   }
   figure.end();

@@ -19,7 +19,7 @@ QString labels(const std::vector<std::string>& models) {
   for (const std::string& model : models) {
     all.push_back(modelLabel(model));
   }
-  return all.join(QStringLiteral(", "));
+  return all.join(QStringLiteral("; "));
 }
 
 QString sourceText(const study::RunFacts::Source& source) {
@@ -138,7 +138,7 @@ void writeTitle(const Report& report, const std::vector<ContentsLine>& contents)
   sheet.space(4.0);
   writeBanners(report);
   if (!report.pictures.poses.empty()) {
-    drawPoseRow(sheet, report.pictures, report.pictures.poses.front(), 66.0);
+    drawPoseRow(sheet, report.pictures, report.pictures.poses.front(), 86.0);
     const PosePictures& first = report.pictures.poses.front();
     sheet.line({Sheet::left, sheet.y(), Sheet::width, 4.0},
                Text::tr("Pose %1 under %2, from the front, from the person's left and from the back; organs: %3.")

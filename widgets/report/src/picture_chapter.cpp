@@ -1,5 +1,6 @@
 #include <QCoreApplication>
 #include <algorithm>
+#include <array>
 
 #include "chapters.h"
 #include "words.h"
@@ -56,6 +57,17 @@ void writeLegend(Sheet& sheet, const PictureSet& pictures) {
   endLine();
 }
 
+/// Millimetres a pixel: the one scale at which every row of the set fits.
+double scaleOf(const PictureSet& pictures, double height) {
+  int across = 1;
+  int tallest = 1;
+  for (const PosePictures& pose : pictures.poses) {
+    across = std::max(across, pose.front.width() + pose.side.width() + pose.back.width());
+    tallest = std::max({tallest, pose.front.height(), pose.side.height(), pose.back.height()});
+  }
+  return std::min(height / tallest, (Sheet::width - 2.0 * gap) / across);
+}
+
 }  // namespace
 
 void drawPoseRow(Sheet& sheet, const PictureSet& pictures, const PosePictures& pose, double height) {
@@ -66,8 +78,7 @@ void drawPoseRow(Sheet& sheet, const PictureSet& pictures, const PosePictures& p
     across += view->width();
     tallest = std::max(tallest, view->height());
   }
-  // The scale that fits both ways.
-  const double scale = std::min(height / tallest, (Sheet::width - 2.0 * gap) / across);
+  const double scale = scaleOf(pictures, height);
   const double high = scale * tallest;
   double x = Sheet::left + 0.5 * (Sheet::width - 2.0 * gap - scale * across);
   for (const QImage* view : views) {
@@ -97,7 +108,7 @@ void writePictureChapter(const Report& report) {
                            "translucent; organs follow the model %1.")
                       .arg(modelLabel(pictures.model)));
   for (const PosePictures& pose : pictures.poses) {
-    sheet.need(rowHeight + 9.0);
+    sheet.need(scaleOf(pictures, rowHeight) * pose.front.height() + 9.0);
     sheet.line({Sheet::left, sheet.y(), Sheet::width, 5.0}, Text::tr("%1, %2").arg(text(pose.pose), text(pose.system)),
                {9.0, true});
     sheet.space(6.0);

@@ -23,10 +23,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// About 300 dpi where three poses share a page.
-constexpr double metresPerPixel = 1.0 / 520.0;
+constexpr double metresPerPixel = 0.002;
 constexpr double margin = 0.02;  ///< m around the body
 /// Of armor, so that organs behind it show.
-constexpr double armorOpacity = 0.45;
+constexpr double armorOpacity = 0.38;
 constexpr std::array<const char*, 3> viewNames{"front", "side", "back"};
 
 QImage imageOf(const analysis::Picture& picture) {
@@ -88,28 +88,24 @@ std::size_t pixels(double metres) {
   return static_cast<std::size_t>((metres + 2.0 * margin) / metresPerPixel) + 1;
 }
 
-/// One size for all pictures of a set, so that they share their scale.
+/// One width for all pictures of a set, so that they stand below each other.
 struct Extent {
   double across = 0.0;  ///< m, along x
   double deep = 0.0;    ///< along z
-  double high = 0.0;
 
   void take(const geometry::Box3d& box) {
     across = std::max(across, box.sizes().x());
     deep = std::max(deep, box.sizes().z());
-    high = std::max(high, box.sizes().y());
   }
 };
 
 analysis::PictureFrame frameOf(const geometry::Box3d& box, const Extent& extent, const geometry::Vec3d& towards) {
   analysis::PictureFrame frame;
   frame.centre = box.center();
-  // All stand on one line.
-  frame.centre.y() = box.min().y() + 0.5 * extent.high;
   frame.towards = towards;
   frame.pixel = metresPerPixel;
   frame.columns = pixels(std::abs(towards.x()) > 0.5 ? extent.deep : extent.across);
-  frame.rows = pixels(extent.high);
+  frame.rows = pixels(box.sizes().y());
   return frame;
 }
 

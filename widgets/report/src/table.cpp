@@ -14,6 +14,7 @@ constexpr double pad = 1.1;      ///< left and right of a text
 constexpr double rowPad = 0.75;  ///< above and below
 constexpr double headLine = 4.0;
 constexpr double sectionHeight = 5.6;
+constexpr double asideWidth = 15.0;  ///< of a note beside its text
 
 }  // namespace
 
@@ -34,12 +35,12 @@ double Table::heightOf(const std::vector<Cell>& cells) const {
     const Style& style = cells[c].bold ? styles::tableBold : styles::table;
     double here =
         sheet_.lines(0, 0, columns_[c].width - 2.0 * pad, cells[c].text, style, cells[c].most, Qt::AlignLeft, false);
-    if (!cells[c].note.isEmpty()) {
+    if (!cells[c].note.isEmpty() && !cells[c].beside) {
       here += Sheet::lineHeight(styles::note);
     }
     height = std::max(height, here);
   }
-  return height + 2.0 * rowPad;
+  return std::max(least_, height + 2.0 * rowPad);
 }
 
 void Table::head(bool again) {
@@ -81,6 +82,19 @@ void Table::head(bool again) {
   sheet_.moveTo(y);
 }
 
+void Table::drawCell(const Cell& cell, const Column& column, const QRectF& box) {
+  const Style& style = cell.bold ? styles::tableBold : styles::table;
+  const double noteHeight = Sheet::lineHeight(styles::note);
+  if (cell.beside) {
+    const QRectF note(box.right() - asideWidth, box.y(), asideWidth, Sheet::lineHeight(style));
+    sheet_.line({box.x(), box.y(), box.width() - asideWidth, note.height()}, cell.text, style, column.alignment);
+    sheet_.line(note, cell.note, styles::note, Qt::AlignRight);
+    return;
+  }
+  const double below = sheet_.lines(box.x(), box.y(), box.width(), cell.text, style, cell.most, column.alignment);
+  sheet_.line({box.x(), box.y() + below, box.width(), noteHeight}, cell.note, styles::note, column.alignment);
+}
+
 void Table::section(const QString& text) {
   pending_ = text;
   section_ = text;
@@ -118,11 +132,7 @@ void Table::row(const std::vector<Cell>& cells, const std::vector<Drawing>& draw
       if (cell.fill) {
         sheet_.fill({x, y, column.width, height}, *cell.fill);
       }
-      const Style& style = cell.bold ? styles::tableBold : styles::table;
-      const double below =
-          sheet_.lines(x + pad, y + rowPad, column.width - 2.0 * pad, cell.text, style, cell.most, column.alignment);
-      sheet_.line({x + pad, y + rowPad + below, column.width - 2.0 * pad, Sheet::lineHeight(styles::note)}, cell.note,
-                  styles::note, column.alignment);
+      drawCell(cell, column, {x + pad, y + rowPad, column.width - 2.0 * pad, height - 2.0 * rowPad});
     }
     if (c + drawings.size() >= columns_.size()) {
       const Drawing& drawing = drawings[c + drawings.size() - columns_.size()];

@@ -17,7 +17,8 @@ struct Cell {
   QString note{};  ///< small, below
   bool bold = false;
   std::optional<QColor> fill{};
-  int most = 2;  ///< lines of text
+  int most = 2;         ///< lines of text
+  bool beside = false;  ///< the note stands to the right of the text
 };
 
 struct Column {
@@ -43,6 +44,8 @@ class Table {
   void setCaption(const QString& text);
   /// What stands in the last line of the head, over the last columns: axes.
   void setHeadDrawing(std::function<void(const std::vector<QRectF>&)> drawing) { headDrawing_ = std::move(drawing); }
+  /// Rows are at least so high, mm.
+  void setLeastHeight(double height) { least_ = height; }
   /// A row; the drawings are of the last columns.
   void row(const std::vector<Cell>& cells, const std::vector<Drawing>& drawings = {});
   /// A line over all columns that stays with the row below.
@@ -54,6 +57,7 @@ class Table {
   void head(bool again);
   double headHeight() const;
   double heightOf(const std::vector<Cell>& cells) const;
+  void drawCell(const Cell& cell, const Column& column, const QRectF& box);
 
   Sheet& sheet_;
   std::vector<Column> columns_;
@@ -62,6 +66,7 @@ class Table {
   std::function<void(const std::vector<QRectF>&)> headDrawing_;
   QString pending_;  ///< a section that waits for its row
   QString section_;  ///< the one that rows belong to
+  double least_ = 0.0;
   bool begun_ = false;
 };
 

@@ -39,9 +39,9 @@ struct Picture {
 
 /// Draws a scene on white. Of closed components the sides that face the viewer are painted, of open ones all; a
 /// translucent surface is denser where it is seen at a slant. Light comes over the viewer's left shoulder. Pixels at
-/// edges are means over a grid of 4 x 4 rays. The same picture at any number of threads.
+/// edges are means over a grid of 3 x 3 rays. The same picture at any number of threads.
 /// \pre looks has an entry for every mesh; the scene is built
-/// \throw base::Cancelled. Cost: one ray a pixel and 16 at an edge
+/// \throw base::Cancelled. Cost: one ray a pixel and 9 at an edge
 Picture drawScene(const raycast::Scene& scene, std::span<const MeshLook> looks, const PictureFrame& frame,
                   base::Threads threads, const base::Progress& progress = {});
 
