@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lorica/base/error.h"
@@ -9,8 +10,26 @@
 
 namespace lorica::analysis {
 
+namespace {
+
+/// A table of the file. What is wrong with its text is always that it is not as the run wrote it.
+base::Table tableOf(const std::filesystem::path& file) {
+  const std::string text = base::readFile(file);
+  if (!text.empty() && text.back() != '\n') {
+    throw base::InputError(file.string(), fmt::format("line {}", 1 + std::count(text.begin(), text.end(), '\n')),
+                           "ends before its line does; the file is cut, so run the study again");
+  }
+  try {
+    return {text, file.string()};
+  } catch (const base::InputError& error) {
+    throw base::InputError(error.file(), error.place(), error.text() + "; the file is damaged, so run the study again");
+  }
+}
+
+}  // namespace
+
 RowReader::RowReader(const std::filesystem::path& file, std::initializer_list<const char*> columns)
-    : file_(file.string()), table_(base::readFile(file), file_) {
+    : file_(file.string()), table_(tableOf(file)) {
   for (const char* column : columns) {
     if (!table_.has(column)) {
       throw base::InputError(file_, "line 1",

@@ -38,8 +38,7 @@ QString labelOf(const ComparisonRow& row, const std::string& name) {
 }
 
 bool isSignificant(const ComparisonRow& row) {
-  const std::optional<double> p = row.pairedHolm ? row.pairedHolm : row.mcNemarHolm;
-  return p && *p < 0.05;
+  return row.pairedHolm && *row.pairedHolm < 0.05;
 }
 
 Cell cellOf(const ComparisonRow* row) {
@@ -73,13 +72,14 @@ void writeFamily(const Report& report, const std::vector<const ComparisonRow*>& 
   constexpr double label = 36.0;
   for (std::size_t begin = 0; begin < poses.size(); begin += together) {
     const std::size_t end = std::min(poses.size(), begin + together);
+    const double width = (Sheet::width - label) / static_cast<double>(std::max<std::size_t>(end - begin, 4));
     std::vector<Column> columns{{label, Qt::AlignLeft}};
     std::vector<Head> heads{{Text::tr("Structure")}};
     for (std::size_t p = begin; p < end; ++p) {
-      columns.push_back({(Sheet::width - label) / static_cast<double>(together)});
+      columns.push_back({width});
       heads.push_back({text(poses[p])});
     }
-    columns.push_back({Sheet::width - label - static_cast<double>(end - begin) * (Sheet::width - label) / together});
+    columns.push_back({Sheet::width - label - static_cast<double>(end - begin) * width});
     heads.emplace_back();
     Table table(report.sheet, columns, {heads});
     table.setCaption(
@@ -205,7 +205,7 @@ void writePieces(const Report& report) {
                "that another piece meets too are not lost. Organs follow the model %1.")
           .arg(modelLabel(report.view.mainModel())));
   Table table(sheet, {{46.0, Qt::AlignLeft}, {28.0}, {100.0, Qt::AlignLeft}},
-              {{{Text::tr("Piece")}, {Text::tr("Body, mean of poses")}, {Text::tr("Organs that need it most")}}});
+              {{{Text::tr("Piece")}, {Text::tr("Body, mean")}, {Text::tr("Organs that need it most")}}});
   table.setCaption(Text::tr("Marginal gain of the pieces, percentage points of coverage."));
   std::string last;
   for (const PieceGain& gain : gains) {

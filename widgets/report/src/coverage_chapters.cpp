@@ -62,7 +62,13 @@ class OrganTable {
     Table table(report_.sheet, columns, {upper, lower});
     table.setCaption(caption());
     // Two models need no more than a line; each further one has its own mark.
-    table.setLeastHeight(4.7 + 1.6 * std::max(0.0, static_cast<double>(report_.run.facts.models.size()) - 2.0));
+    const double least = 5.1 + 1.6 * std::max(0.0, static_cast<double>(report_.run.facts.models.size()) - 2.0);
+    table.setLeastHeight(least);
+    // Rather on the next page than cut, where it fits on one.
+    const double height = 20.0 + least * static_cast<double>(view_.organs.size() + view_.totals.size());
+    if (height < Sheet::bottom - Sheet::top) {
+      report_.sheet.need(height);
+    }
     table.setHeadDrawing([this](const std::vector<QRectF>& boxes) { drawCoverageScale(report_.sheet, boxes.back()); });
     for (const StructureKey& organ : view_.organs) {
       row(table, organ, false);

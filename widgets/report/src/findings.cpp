@@ -239,6 +239,38 @@ void writeTotalsFigure(const Report& report, const std::string& source) {
   figure.end();
 }
 
+/// Numbers of every model, where there are more than stand side by side.
+void writeAllModels(const Report& report, const std::string& source) {
+  const RunView& view = report.view;
+  const auto& models = report.run.facts.models;
+  if (models.size() <= view.shownModels.size()) {
+    return;
+  }
+  constexpr double label = 46.0;
+  std::vector<Column> columns{{label, Qt::AlignLeft}};
+  std::vector<Head> heads{{Text::tr("Pose, system, structure")}};
+  for (const std::string& model : models) {
+    columns.push_back({(Sheet::width - label) / static_cast<double>(models.size())});
+    heads.push_back({Text::tr("%1, %").arg(modelLabel(model))});
+  }
+  Table table(report.sheet, columns, {heads});
+  table.setCaption(Text::tr("Coverage from source %1 in every organ model, with 95 % intervals.").arg(text(source)));
+  for (const std::string& pose : view.posesOf(source)) {
+    for (const std::string& system : view.armored) {
+      table.section(QStringLiteral("%1, %2").arg(text(pose), text(system)));
+      for (const StructureKey& total : view.totals) {
+        std::vector<Cell> cells{{structureLabel(total.structure, total.kind)}};
+        for (const std::string& model : models) {
+          const analysis::Coverage coverage = view.coverage(source, system, model, pose, total);
+          cells.push_back({percent(coverage.value), range(coverage), false, {}, 1, true});
+        }
+        table.row(cells);
+      }
+    }
+  }
+  table.end();
+}
+
 }  // namespace
 
 void writeFindings(const Report& report) {
@@ -268,6 +300,7 @@ void writeFindings(const Report& report) {
     if (!view.posesOf(source).empty()) {
       writeTotalsFigure(report, source);
       writeTotals(report, source);
+      writeAllModels(report, source);
     }
   }
 }

@@ -97,6 +97,10 @@ void Sheet::section(const QString& text, double with) {
 QStringList Sheet::broken(const QString& text, const Style& style, double boxWidth) const {
   QStringList all;
   for (const QString& part : text.split(u'\n')) {
+    if (part.isEmpty()) {
+      all.push_back({});
+      continue;
+    }
     QTextLayout layout(part, fontOf(style));
     QTextOption option;
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
@@ -107,9 +111,6 @@ QStringList Sheet::broken(const QString& text, const Style& style, double boxWid
       all.push_back(part.mid(next.textStart(), next.textLength()).trimmed());
     }
     layout.endLayout();
-    if (part.isEmpty()) {
-      all.push_back({});
-    }
   }
   return all;
 }

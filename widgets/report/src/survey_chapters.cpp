@@ -219,6 +219,14 @@ void drawMap(Sheet& sheet, const QRectF& box, const QString& title, const Direct
              styles::note, Qt::AlignHCenter);
 }
 
+/// Azimuth and elevation in whole degrees; 359.9 reads as 0.
+QString direction(const analysis::GapRow& row) {
+  const auto whole = [](std::optional<double> degrees) {
+    return degrees ? std::optional(std::fmod(std::round(*degrees), 360.0)) : std::nullopt;
+  };
+  return QStringLiteral("%1, %2").arg(number(whole(row.azimuth), 0), number(whole(row.elevation), 0));
+}
+
 }  // namespace
 
 void writeMotion(const Report& report) {
@@ -234,7 +242,7 @@ void writeMotion(const Report& report) {
   }
   const std::vector<StructureKey> totals =
       view.totals.empty() ? std::vector<StructureKey>{{"body", "body"}} : view.totals;
-  constexpr double height = 56.0;
+  constexpr double height = 50.0;
   for (const std::string& source : view.sources) {
     sheet.need(height + 20.0);
     sheet.line({Sheet::left, sheet.y(), Sheet::width, 4.5},
@@ -350,8 +358,8 @@ void writeGaps(const Report& report) {
                {text(row.region)},
                {number(row.area, 1)},
                {number(row.percentOfUnprotected, 1)},
-               {QStringLiteral("%1, %2").arg(number(row.azimuth, 0), number(row.elevation, 0))},
-               {text(row.neighbours)}});
+               {direction(row)},
+               {text(row.neighbours), {}, false, {}, 4}});
     ++shown;
   }
   table.end();
