@@ -20,6 +20,15 @@ std::vector<std::string> texts(const Node& node, const std::string& what) {
   return all;
 }
 
+/// The same where a run has at least one.
+std::vector<std::string> someTexts(const Node& node, const std::string& what) {
+  std::vector<std::string> all = texts(node, what);
+  if (all.empty()) {
+    node.fail("expected " + what + " with one entry at least");
+  }
+  return all;
+}
+
 /// One number or several.
 std::vector<double> numbers(const Node& node) {
   if (!node.present()) {
@@ -114,9 +123,9 @@ RunFacts readProvenance(const std::filesystem::path& file) {
   facts.seed = root["seed"].whole(0, std::numeric_limits<std::uint64_t>::max());
   facts.trials = root["trials"].whole(0, most);
   readStop(root["stop"], facts);
-  facts.models = texts(root["models"], "a list of models");
-  facts.systems = texts(root["systems"], "a list of systems");
-  facts.poses = texts(root["poses"], "a list of poses");
+  facts.models = someTexts(root["models"], "a list of models");
+  facts.systems = someTexts(root["systems"], "a list of systems");
+  facts.poses = someTexts(root["poses"], "a list of poses");
   for (const Node& source : root["sources"].list("the sources of the run")) {
     facts.sources.push_back(sourceOf(source));
   }

@@ -168,7 +168,7 @@ TEST(Report, APartialRunIsSaidLoudlyOnTheFirstPage) {
   run.facts.partial = true;
   run.facts.runs.front().trials = 1;
   const QString text = PdfText(reportPdf(run, {})).text();
-  EXPECT_TRUE(text.left(text.indexOf("1 of ")).contains("PARTIAL RESULT. The run was stopped after 1 of 3 trials"));
+  EXPECT_TRUE(text.left(600).contains("PARTIAL RESULT. The run was stopped after 1 of 3 trials"));
   EXPECT_FALSE(PdfText(reportPdf(madeRun({}), {})).text().contains("PARTIAL"));
 }
 

@@ -95,7 +95,7 @@ QString listed(std::span<const std::string> names, std::size_t most) {
   }
   const auto rest = names.size() - static_cast<std::size_t>(shown.size());
   const QString all = shown.join(QStringLiteral(", "));
-  return rest == 0 ? all : Text::tr("%1 and %2 more").arg(all).arg(rest);
+  return rest == 0 ? all : Text::tr("%1 and %2 more").arg(all, QString::number(rest));
 }
 
 QString shortHash(const std::string& hash) {
