@@ -140,12 +140,24 @@ TEST_F(RunTablesTest, NumbersThatCannotBeAreNamedWithTheirLine) {
   expectTrouble({"summary.csv", "line 1", "coverage_lo"});
 }
 
+TEST_F(RunTablesTest, TablesOfAnalysesAreCheckedToo) {
+  change("comparisons.csv", ",rest,", ",kneeling,");
+  expectTrouble({"comparisons.csv", "line 2", "'kneeling'"});
+  writeResults(*loaded_, *result_, folder_.path());
+  const std::string pieces = base::readFile(folder_.path() / "pieces.csv");
+  base::writeFileAtomically(folder_.path() / "pieces.csv", pieces.substr(0, pieces.size() - 5));
+  expectTrouble({"pieces.csv", "line", "run the study again"});
+  writeResults(*loaded_, *result_, folder_.path());
+  change("convergence.csv", "0.000000,0.000000", "1.500000,0.000000");
+  expectTrouble({"convergence.csv", "line 2", "from 0 to 1", "1.500000"});
+}
+
 TEST_F(RunTablesTest, ADamagedProvenanceIsNamedWithItsPlace) {
   change("provenance.json", "\"seed\": 1", "\"seed\": -1");
   expectTrouble({"provenance.json", "/seed"});
   writeResults(*loaded_, *result_, folder_.path());
   change("provenance.json", "\"partial\": false,", "\"partial\": false");
-  expectTrouble({"provenance.json", "line 3"});
+  expectTrouble({"provenance.json", "line 4"});  // where the comma is missed
   base::writeFileAtomically(folder_.path() / "provenance.json", "[1]");
   expectTrouble({"provenance.json", "provenance of a run"});
 }

@@ -31,13 +31,14 @@ const DeformationRow* worstOf(const Rows& rows, const Measure& measure) {
   return worst;
 }
 
-Cell worstCell(const Rows& rows, const Measure& measure, int decimals, bool sign) {
+/// \param neutral what an organ that nothing happened to has
+Cell worstCell(const Rows& rows, const Measure& measure, int decimals, double neutral = 0.0) {
   const DeformationRow* worst = worstOf(rows, measure);
   if (worst == nullptr) {
     return {number(std::nullopt, decimals), Text::tr("not measurable")};
   }
-  const QString value = number(measure(*worst), decimals, sign);
-  return {value, value.toDouble() == 0.0 && !value.contains(QChar(0x2212)) ? QString() : text(worst->pose)};
+  const QString value = number(measure(*worst), decimals);
+  return {value, value == number(neutral, decimals) ? QString() : text(worst->pose)};
 }
 
 void writeWorst(const Report& report) {
@@ -69,15 +70,15 @@ void writeWorst(const Report& report) {
           std::count_if(rows.begin(), rows.end(), [](const DeformationRow* row) { return !row->gaveWay.empty(); });
       table.row({{text(organ.structure)},
                  worstCell(
-                     rows, [](const DeformationRow& row) { return row.volumeChange; }, 2, true),
+                     rows, [](const DeformationRow& row) { return row.volumeChange; }, 2),
                  worstCell(
-                     rows, [](const DeformationRow& row) { return row.protrusion; }, 1, false),
+                     rows, [](const DeformationRow& row) { return row.protrusion; }, 1),
                  worstCell(
-                     rows, [](const DeformationRow& row) { return row.overlap; }, 1, false),
+                     rows, [](const DeformationRow& row) { return row.overlap; }, 1),
                  worstCell(
-                     rows, [](const DeformationRow& row) { return row.largestGap; }, 1, false),
+                     rows, [](const DeformationRow& row) { return row.largestGap; }, 1),
                  worstCell(
-                     rows, [](const DeformationRow& row) { return row.stretch; }, 2, false),
+                     rows, [](const DeformationRow& row) { return row.stretch; }, 2, 1.0),
                  {Text::tr("%1 of %2").arg(gave).arg(rows.size()), {}, gave > 0}});
     }
   }

@@ -1,5 +1,6 @@
 #include <QCoreApplication>
 #include <algorithm>
+#include <filesystem>
 
 #include "chapters.h"
 #include "lorica/models/numbers.h"
@@ -20,6 +21,11 @@ QString labels(const std::vector<std::string>& models) {
     all.push_back(modelLabel(model));
   }
   return all.join(QStringLiteral("; "));
+}
+
+/// Of a path its last part; where the file stands is in the record of the run.
+QString nameOf(const std::string& file) {
+  return text(std::filesystem::path(file).filename().string());
 }
 
 QString sourceText(const study::RunFacts::Source& source) {
@@ -171,7 +177,7 @@ void writeTitle(const Report& report, const std::vector<ContentsLine>& contents)
   QStringList inputs;
   constexpr std::size_t mostInputs = 3;
   for (std::size_t i = 0; i < facts.inputs.size() && i < mostInputs; ++i) {
-    inputs.push_back(QStringLiteral("%1 (%2)").arg(text(facts.inputs[i].file), shortHash(facts.inputs[i].sha256)));
+    inputs.push_back(QStringLiteral("%1 (%2)").arg(nameOf(facts.inputs[i].file), shortHash(facts.inputs[i].sha256)));
   }
   if (facts.inputs.size() > mostInputs) {
     inputs.push_back(Text::tr("and %1 more, listed in the record of the run").arg(facts.inputs.size() - mostInputs));
