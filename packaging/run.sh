@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs what is missing, builds Release and opens the sample study in the window; without a display it runs the study,
-# which leaves its tables in out/.
+# which leaves its tables and a report in out/.
 set -eu
 
 usage() {
@@ -8,8 +8,8 @@ usage() {
 usage: sh packaging/run.sh [--headless] [--] [OPTION OF lorica-cli run]...
 
 Installs what is missing, builds Release and writes the sample study to out/sample.lorica.json. With a display it opens
-the study in the window. Without one it runs it, leaves the tables (summary.csv, deformation.csv, ...) and
-provenance.json in out/ and prints the summary.
+the study in the window. Without one it runs it, leaves the tables (summary.csv, deformation.csv, ...),
+provenance.json and the report (report.pdf) in out/ and prints the summary.
 
   --headless  run without a window although there is a display
   --help      print this text
@@ -86,5 +86,11 @@ if [ -z "$headless" ]; then
   exec "$window" "$study"
 fi
 say "running $study"
-"$cli" run "$study" --out out "$@"
-say "the tables are in $(pwd)/out"
+# Reports need Qt, which a build has when it has the window.
+if grep -q 'app/gui/lorica' build/release/build.ninja; then
+  "$cli" run "$study" --out out --pdf "$@"
+  say "the tables and report.pdf are in $(pwd)/out"
+else
+  "$cli" run "$study" --out out "$@"
+  say "the tables are in $(pwd)/out; a report needs Qt, and packaging/setup.sh says what is missing"
+fi

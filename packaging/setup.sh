@@ -12,7 +12,8 @@ engine='libembree-dev libtinygltf-dev libtbb-dev libeigen3-dev nlohmann-json3-de
   libspdlog-dev libssl-dev libzip-dev zipcmp zipmerge ziptool libboost-dev libvtk9-dev'
 tests='libgtest-dev librapidcheck-dev libbenchmark-dev libcgal-dev'
 window='qt6-base-dev libqt6opengl6-dev|qt6-base-dev qt6-svg-dev|libqt6svg6-dev qt6-charts-dev|libqt6charts6-dev
-  libmeshoptimizer-dev libgl1-mesa-dri xvfb xauth fonts-dejavu-core poppler-utils dpkg-dev'
+  libmeshoptimizer-dev libgl1-mesa-dri xvfb xauth fonts-dejavu-core fonts-liberation2|fonts-liberation poppler-utils
+  dpkg-dev'
 wanted="$build_tools $engine $tests $window"
 
 say() { printf 'setup: %s\n' "$*" >&2; }
@@ -67,7 +68,7 @@ setup: Lorica needs
   OpenSSL 3 (libcrypto), libzip 1.7, Boost 1.74 (headers)
   for the tests: GoogleTest 1.12, RapidCheck, Google Benchmark 1.7; CGAL 5.5 (headers) for one ratio of the benchmarks
   for the window: Qt 6.4 (Widgets, OpenGLWidgets, Charts, Svg, PrintSupport, Test), meshoptimizer 0.18, Xvfb, Mesa,
-  poppler-utils
+  poppler-utils; the fonts Liberation Sans or DejaVu Sans for reports
 LIST
   exit 1
 }

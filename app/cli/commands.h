@@ -26,6 +26,7 @@ struct RunArguments {
   std::vector<std::string> models;
   std::string shotReport;  ///< SOURCE:TRIAL:SHOT; empty: a run
   std::string hits;        ///< csv, vtp or empty
+  bool pdf = false;        ///< also the report
   bool quiet = false;
 };
 int runStudy(const RunArguments& arguments);

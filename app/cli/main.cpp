@@ -11,6 +11,7 @@
 #include "console.h"
 #include "lorica/base/error.h"
 #include "lorica/study/provenance.h"
+#include "report_command.h"
 
 namespace lorica::cli {
 
@@ -42,6 +43,7 @@ void addRun(CLI::App& app, int& code) {
       ->check(CLI::IsMember({"csv", "vtp"}));
   command->add_option("--shot-report", arguments->shotReport,
                       "print all of one shot, SOURCE:TRIAL:SHOT (trials from 1, shots from 0), and run nothing");
+  command->add_flag("--pdf", arguments->pdf, "also write the report, report.pdf, and pictures of the poses");
   command->add_flag("--quiet", arguments->quiet, "no progress and no table");
   command->callback([arguments, out, &code] {
     if (out->empty() && arguments->shotReport.empty()) {
@@ -232,6 +234,18 @@ void addCompare(CLI::App& app, int& code) {
   command->callback([arguments, &code] { code = compareRuns(arguments->first, arguments->second, arguments->out); });
 }
 
+void addReport(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("report", "make a report of a finished run, as PDF");
+  auto folder = std::make_shared<std::filesystem::path>();
+  auto out = std::make_shared<std::filesystem::path>();
+  command->add_option("RESULTS_DIR", *folder, "folder that `run` wrote")->required();
+  command->add_option("--out", *out, "the PDF to write")->required();
+  command->callback([folder, out, &code] {
+    requireReports();
+    code = reportFolder(*folder, *out);
+  });
+}
+
 void addUpgrade(CLI::App& app, int& code) {
   auto* command = app.add_subcommand("upgrade", "rewrite a study of an older version");
   auto study = std::make_shared<std::filesystem::path>();
@@ -261,6 +275,7 @@ int parseAndRun(int argc, char** argv) {
   addExport(app, code);
   addThreat(app, code);
   addCompare(app, code);
+  addReport(app, code);
   addUpgrade(app, code);
   addBench(app, code);
   try {

@@ -13,6 +13,7 @@
 #include "lorica/base/files.h"
 #include "lorica/base/readable.h"
 #include "lorica/study/study_file.h"
+#include "report_command.h"
 #include "summary_table.h"
 
 namespace lorica::cli {
@@ -91,6 +92,9 @@ void writeMore(const RunArguments& arguments, const analysis::LoadedStudy& study
 
 int runStudy(const RunArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
+  if (arguments.pdf) {
+    requireReports();
+  }
   const analysis::LoadedStudy study = loadForRun(arguments);
   if (study.study.sources.empty()) {
     throw base::InputError(arguments.study.string(), "/sources", "the study has no source to shoot from; add one");
@@ -125,6 +129,10 @@ int runStudy(const RunArguments& arguments) {
     result.partial = true;
     analysis::writeProvenance(study, result, arguments.out);
   }
+  const bool reported = arguments.pdf && !result.partial;
+  if (reported) {
+    writeRunReport(study, result, arguments.out, options.threads, arguments.quiet);
+  }
   printIssues(result.issues, false);
   if (!arguments.quiet) {
     sayHowManyNotes(result.issues);
@@ -133,9 +141,9 @@ int runStudy(const RunArguments& arguments) {
     fmt::print("{}\n", deformationTable(analysis::deformationTables(study, result)));
     sayWhatWasShot(result);
     fmt::print(
-        "{} in {:.1f} s; summary.csv, trials.csv, deformation.csv, contacts.csv, room.csv and provenance.json are in "
+        "{} in {:.1f} s; {}summary.csv, trials.csv, deformation.csv, contacts.csv, room.csv and provenance.json are in "
         "{}\n",
-        result.partial ? "stopped" : "finished", seconds, arguments.out.string());
+        result.partial ? "stopped" : "finished", seconds, reported ? "report.pdf, " : "", arguments.out.string());
   }
   if (result.partial) {
     fmt::print(stderr, "cancelled: the result in {} is partial\n", arguments.out.string());

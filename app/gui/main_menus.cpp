@@ -53,15 +53,23 @@ void MainWindow::makeFileMenu() {
   QAction* saveAsAction = file->addAction(tr("Save &as..."), QKeySequence::SaveAs, this, &MainWindow::saveAs);
   file->addSeparator();
   QAction* tables = file->addAction(tr("Save result &tables..."), this, [this] { saveTables(results_->run()); });
+  QAction* report = file->addAction(tr("&Export report..."), this, &MainWindow::chooseReport);
+  report->setObjectName(QStringLiteral("export_report"));
   QAction* picture = file->addAction(tr("Save &picture..."), this, &MainWindow::savePicture);
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
-  const auto enable = [this, saveAction, saveAsAction, tables, picture] {
+  file->setToolTipsVisible(true);
+  const auto enable = [this, saveAction, saveAsAction, tables, report, picture] {
     saveAction->setEnabled(document_.hasStudy());
     saveAsAction->setEnabled(document_.hasStudy());
     picture->setEnabled(document_.hasStudy());
     tables->setEnabled(results_->run() != nullptr);
+    report->setEnabled(results_->run() != nullptr);
+    report->setToolTip(results_->run() != nullptr
+                           ? tr("Tables, figures, pictures and methods of the run that is shown, as PDF")
+                           : tr("There is no run to report on yet; run the study first (Ctrl+R)."));
   };
+  enable();
   connect(file, &QMenu::aboutToShow, this, enable);
 }
 

@@ -410,16 +410,22 @@ void MainWindow::writeTables(const std::shared_ptr<const document::RunRecord>& r
   if (!jobs::asksForSurvey(*run)) {
     return;
   }
+  saveInBackground(
+      tr("Shooting by direction and over the motion"),
+      [run, folder = pathOf(folder)](const base::Progress& progress) {
+        analysis::writeAnalyses(*run->study, run->result, {}, folder, progress);
+      },
+      tr("All tables are in %1").arg(folder), tr("The tables cannot be saved."));
+}
+
+void MainWindow::saveInBackground(const QString& title, jobs::Job::Work work, const QString& saved,
+                                  const QString& failure) {
   jobs::abandon(saving_, this);
-  saving_ = std::make_unique<jobs::Job>(tr("Shooting by direction and over the motion"),
-                                        [run, folder = pathOf(folder)](const base::Progress& progress) {
-                                          analysis::writeAnalyses(*run->study, run->result, {}, folder, progress);
-                                        });
+  saving_ = std::make_unique<jobs::Job>(title, std::move(work));
   connect(saving_.get(), &jobs::Job::progressed, this, &MainWindow::updateJobs);
   connect(saving_.get(), &jobs::Job::finished, this,
-          [this, folder] { statusBar()->showMessage(tr("All tables are in %1").arg(folder), 1000 * statusSeconds); });
-  connect(saving_.get(), &jobs::Job::failed, this,
-          [this](const QString& text) { complain(tr("The tables cannot be saved."), text); });
+          [this, saved] { statusBar()->showMessage(saved, 1000 * statusSeconds); });
+  connect(saving_.get(), &jobs::Job::failed, this, [this, failure](const QString& text) { complain(failure, text); });
   connect(saving_.get(), &jobs::Job::ended, this, [this] {
     saving_.release()->deleteLater();
     updateJobs();

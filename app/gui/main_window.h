@@ -74,6 +74,10 @@ class MainWindow : public QMainWindow {
   void showDeformation();
   /// Asks for a person, armor and organs, and takes the study of them.
   void newHumanStudy();
+  /// Writes the report of a run as PDF in the background: its tables, what they ask to be shot for, pictures.
+  void exportReport(const std::shared_ptr<const document::RunRecord>& run, const QString& file);
+  /// The job that writes tables or a report; null when none does.
+  const jobs::Job* saving() const { return saving_.get(); }
   /// Asks whom the built-in human stands for. \pre the open study has the built-in human
   void changePerson();
 
@@ -107,6 +111,12 @@ class MainWindow : public QMainWindow {
   /// Writes the tables of a run to a folder, and in the background those that have to be shot for.
   void writeTables(const std::shared_ptr<const document::RunRecord>& run, const QString& folder);
   void saveTables(const std::shared_ptr<const document::RunRecord>& run);
+  /// Writes something on another thread, with progress and cancel in the status bar. What was still being written is
+  /// given up.
+  /// \param saved said when it is done; \param failure said before the reason when it is not
+  void saveInBackground(const QString& title, jobs::Job::Work work, const QString& saved, const QString& failure);
+  /// Asks where the report of the run that is shown goes.
+  void chooseReport();
   void savePicture();
   /// Asks what becomes of unsaved edits. \return whether to go on
   bool mayDiscard();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
@@ -356,6 +357,28 @@ TEST_F(Window, ARunGivesTheTableOfTheCommandLineByteForByte) {
        {"/summary.csv", "/trials.csv", "/deformation.csv", "/contacts.csv", "/room.csv", "/provenance.json"}) {
     EXPECT_EQ(bytesOf(own + name), bytesOf(out + name)) << name;
   }
+}
+
+TEST_F(Window, TheReportOfARunIsWrittenInTheBackgroundAndWithoutARunTheMenuSaysWhyNot) {
+  open();
+  auto* action = window_.findChild<QAction*>("export_report");
+  ASSERT_NE(action, nullptr);
+  auto* menu = qobject_cast<QMenu*>(action->associatedObjects().value(0));
+  ASSERT_NE(menu, nullptr);
+  Q_EMIT menu->aboutToShow();
+  EXPECT_FALSE(action->isEnabled());
+  EXPECT_TRUE(action->toolTip().contains("no run")) << action->toolTip().toStdString();
+  ASSERT_EQ(window_.runs().start(), QString());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.runs().job() == nullptr; }, patience));
+  Q_EMIT menu->aboutToShow();
+  EXPECT_TRUE(action->isEnabled());
+  const QString file = folder_.filePath("report.pdf");
+  window_.exportReport(window_.document().runs().front(), file);
+  ASSERT_NE(window_.saving(), nullptr) << "in the background";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.saving() == nullptr; }, patience));
+  QFile pdf(file);
+  ASSERT_TRUE(pdf.open(QFile::ReadOnly));
+  EXPECT_TRUE(pdf.readAll().startsWith("%PDF-"));
 }
 
 TEST_F(Window, TheViewHasAllTheRoomUntilThereAreResults) {

@@ -100,7 +100,7 @@ Findings checkModuleIncludes(std::span<const SourceFile> files) {
 
 Findings checkWidgetIncludes(std::span<const SourceFile> files) {
   static const std::vector<std::string> order{"document", "commands", "jobs",   "models",
-                                              "viewport", "panels",   "dialogs"};
+                                              "report",   "viewport", "panels", "dialogs"};
   static const std::regex own("^lorica/([^/]+)/.*");
   static const std::regex room("^widgets/([^/]+)/.*");
   const auto placeOf = [](const std::string& name) { return std::find(order.begin(), order.end(), name); };

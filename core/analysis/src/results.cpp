@@ -266,6 +266,26 @@ std::vector<study::InputFile> hashedInputs(const LoadedStudy& study) {
   return inputs;
 }
 
+/// The tables of a run, those of writeAnalyses() among them: none of a run before it in the same folder is one of them.
+std::vector<std::string> tablesOf(const LoadedStudy& study, const RunResult& result) {
+  std::vector<std::string> names{"summary.csv", "trials.csv", "deformation.csv", "contacts.csv", "room.csv"};
+  const auto add = [&](bool wanted, std::initializer_list<const char*> files) {
+    if (wanted) {
+      names.insert(names.end(), files.begin(), files.end());
+    }
+  };
+  const study::Analyses& wanted = study.study.analyses;
+  add(wanted.compare, {"comparisons.csv", "pieces.csv", "systems.csv"});
+  add(wanted.convergence, {"convergence.csv"});
+  if (!result.partial) {
+    add(wanted.gaps.has_value(), {"gaps.csv"});
+    add(wanted.anatomy.has_value(), {"anatomy.csv"});
+    add(wanted.directions.has_value(), {"directions.csv"});
+    add(wanted.motion.has_value(), {"motion.csv", "motion_summary.csv"});
+  }
+  return names;
+}
+
 study::Provenance::SourceRecord recordOf(const ShotSource& source) {
   study::Provenance::SourceRecord record;
   record.source = source.source;
@@ -301,6 +321,7 @@ std::string provenanceJson(const LoadedStudy& study, const RunResult& result) {
   }
   provenance.interiorSites = study.body->sites().size();
   provenance.issues = result.issues;
+  provenance.tables = tablesOf(study, result);
   return study::provenanceText(provenance);
 }
 

@@ -64,6 +64,10 @@ Table::Table(std::string_view csv, std::string name) : name_(std::move(name)) {
   endRow();
 }
 
+bool Table::has(std::string_view column) const {
+  return std::find(header_.begin(), header_.end(), column) != header_.end();
+}
+
 std::size_t Table::columnIndex(std::string_view column) const {
   const auto found = std::find(header_.begin(), header_.end(), column);
   if (found == header_.end()) {

@@ -86,7 +86,9 @@ std::string provenanceText(const Provenance& provenance) {
   json["lorica_version"] = version();
   json["partial"] = provenance.partial;
   json["purpose"] = "coverage of the body by armor; nothing here says what a hit does";
-  json["study"] = {{"name", provenance.study.name}, {"sha256", sha256(studyText(provenance.study))}};
+  json["study"] = {{"name", provenance.study.name},
+                   {"description", provenance.study.description},
+                   {"sha256", sha256(studyText(provenance.study))}};
   json["inputs"] = Json::array();
   for (const InputFile& input : provenance.inputs) {
     json["inputs"].push_back({{"file", input.path}, {"sha256", input.sha256}});
@@ -121,6 +123,7 @@ std::string provenanceText(const Provenance& provenance) {
       json["runs"].back()["stop_goal_reached"] = *run.goalReached;
     }
   }
+  json["tables"] = provenance.tables;
   json["issues"] = Json::array();
   for (const base::Issue& issue : provenance.issues) {
     json["issues"].push_back(issue.line());

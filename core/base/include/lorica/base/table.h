@@ -17,6 +17,9 @@ class Table {
   Table(std::string_view csv, std::string name);
 
   std::size_t rows() const { return rows_.size(); }
+  bool has(std::string_view column) const;
+  /// Line of the text where a row begins, from 1. \pre row < rows()
+  std::size_t line(std::size_t row) const { return lines_.at(row); }
   /// Throws InputError when there is no such column. \pre row < rows()
   const std::string& text(std::size_t row, std::string_view column) const;
   /// Throws InputError with the line also when the field is not a finite number.

@@ -49,6 +49,7 @@ struct Provenance {
   std::size_t interiorSites = 0;
   std::vector<std::size_t> collapsedSites;  ///< per pose
   base::Issues issues;
+  std::vector<std::string> tables;  ///< files of the run beside this one
 };
 
 /// JSON text. Depends on nothing but its argument and the program's version.
