@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lorica/analysis/import_study.h"
+#include "lorica/analysis/run.h"
 #include "lorica/human/person.h"
 
 namespace lorica::cli {
@@ -25,9 +26,19 @@ struct RunArguments {
   std::vector<std::string> models;
   std::string shotReport;  ///< SOURCE:TRIAL:SHOT; empty: a run
   std::string hits;        ///< csv, vtp or empty
+  std::optional<analysis::RunPart> part;  ///< of several that run apart: its counts alone are written
   bool quiet = false;
 };
 int runStudy(const RunArguments& arguments);
+
+struct MergeArguments {
+  std::vector<std::filesystem::path> parts;  ///< folders
+  std::filesystem::path study;               ///< empty: where the parts found it
+  std::filesystem::path out;
+  int threads = 0;
+  bool quiet = false;
+};
+int mergeParts(const MergeArguments& arguments);
 
 int checkFiles(const std::vector<std::filesystem::path>& files, bool acceptInputs);
 
