@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lorica/analysis/import_study.h"
+#include "lorica/analysis/run.h"
 #include "lorica/analysis/threats.h"
 #include "lorica/human/person.h"
 
@@ -24,12 +25,22 @@ struct RunArguments {
   std::optional<std::uint64_t> shots;
   std::vector<std::string> poses;
   std::vector<std::string> models;
-  std::string shotReport;  ///< SOURCE:TRIAL:SHOT; empty: a run
-  std::string hits;        ///< csv, vtp or empty
-  bool pdf = false;        ///< also the report
+  std::string shotReport;                 ///< SOURCE:TRIAL:SHOT; empty: a run
+  std::string hits;                       ///< csv, vtp or empty
+  std::optional<analysis::RunPart> part;  ///< of several that run apart: its counts alone are written
+  bool pdf = false;                       ///< also the report
   bool quiet = false;
 };
 int runStudy(const RunArguments& arguments);
+
+struct MergeArguments {
+  std::vector<std::filesystem::path> parts;  ///< folders
+  std::filesystem::path study;               ///< empty: where the parts found it
+  std::filesystem::path out;
+  int threads = 0;
+  bool quiet = false;
+};
+int mergeParts(const MergeArguments& arguments);
 
 int checkFiles(const std::vector<std::filesystem::path>& files, bool acceptInputs);
 

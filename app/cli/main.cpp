@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 
 #include "commands.h"
@@ -18,6 +19,21 @@ namespace lorica::cli {
 namespace {
 
 const std::vector<std::string> modelNames = {"static_joint", "static_skin", "dynamic_thesis", "dynamic"};
+
+/// "2/8" is the second of eight.
+analysis::RunPart partNamed(const std::string& text) {
+  constexpr std::uint32_t most = 100000;
+  analysis::RunPart part;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, part.index);
+  const auto count = number.ptr < end ? std::from_chars(number.ptr + 1, end, part.count) : number;
+  if (number.ec != std::errc() || number.ptr == end || *number.ptr != '/' || count.ec != std::errc() ||
+      count.ptr != end || part.index < 1 || part.index > part.count || part.count > most) {
+    throw CLI::ValidationError("--part", "expected I/N with I from 1 to N and N up to 100000, as 2/8");
+  }
+  --part.index;
+  return part;
+}
 
 void addRun(CLI::App& app, int& code) {
   auto* command = app.add_subcommand("run", "run a study: coverage per structure, pose, model and armor system");
@@ -44,8 +60,16 @@ void addRun(CLI::App& app, int& code) {
   command->add_option("--shot-report", arguments->shotReport,
                       "print all of one shot, SOURCE:TRIAL:SHOT (trials from 1, shots from 0), and run nothing");
   command->add_flag("--pdf", arguments->pdf, "also write the report, report.pdf, and pictures of the poses");
+  auto part = std::make_shared<std::string>();
+  command->add_option("--part", *part, "shoot part I of N alone, I/N, for lorica-cli merge")
+      ->excludes("--hits")
+      ->excludes("--pdf")
+      ->excludes("--shot-report");
   command->add_flag("--quiet", arguments->quiet, "no progress and no table");
-  command->callback([arguments, out, &code] {
+  command->callback([arguments, out, part, &code] {
+    if (!part->empty()) {
+      arguments->part = partNamed(*part);
+    }
     if (out->empty() && arguments->shotReport.empty()) {
       throw CLI::RequiredError("--out");
     }
@@ -53,6 +77,22 @@ void addRun(CLI::App& app, int& code) {
       throw CLI::ValidationError("--out", "expected the name of a folder");
     }
     code = runStudy(*arguments);
+  });
+}
+
+void addMerge(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("merge", "put the parts of a run (run --part) together to the whole run");
+  auto arguments = std::make_shared<MergeArguments>();
+  command->add_option("DIR", arguments->parts, "folders of all parts")->required();
+  auto* out = command->add_option("--out", arguments->out, "folder for the tables and provenance.json")->required();
+  command->add_option("--study", arguments->study, "the study (default: where the parts found it)");
+  command->add_option("--threads", arguments->threads, "threads to use (default: all)")->check(CLI::Range(1, 1024));
+  command->add_flag("--quiet", arguments->quiet, "no progress and no table");
+  command->callback([arguments, out, &code] {
+    if (arguments->out.empty()) {
+      throw CLI::ValidationError(out->get_name(), "expected the name of a folder");
+    }
+    code = mergeParts(*arguments);
   });
 }
 
@@ -268,6 +308,7 @@ int parseAndRun(int argc, char** argv) {
   app.set_version_flag("--version", "lorica-cli " + study::version());
   app.require_subcommand(1);
   addRun(app, code);
+  addMerge(app, code);
   addCheck(app, code);
   addTemplate(app, code);
   addGenerate(app, code);

@@ -13,27 +13,14 @@
 #include "lorica/base/files.h"
 #include "lorica/base/readable.h"
 #include "lorica/study/study_file.h"
+#include "part_file.h"
 #include "report_command.h"
+#include "run_steps.h"
 #include "summary_table.h"
 
 namespace lorica::cli {
 
 namespace {
-
-analysis::LoadedStudy loadForRun(const RunArguments& arguments) {
-  study::Study study = study::loadStudy(arguments.study);
-  if (!arguments.models.empty()) {
-    study.models.clear();
-    for (const std::string& name : arguments.models) {
-      const viscera::OrganModel model = *viscera::organModelNamed(name);
-      if (std::find(study.models.begin(), study.models.end(), model) == study.models.end()) {
-        study.models.push_back(model);
-      }
-    }
-  }
-  Stage stage("reading " + arguments.study.filename().string(), arguments.quiet);
-  return analysis::load(std::move(study), arguments.study, {arguments.threads}, stage.progress());
-}
 
 /// What the shots of a source fill.
 std::string sizeOf(const analysis::ShotSource& source) {
@@ -90,40 +77,36 @@ void writeMore(const RunArguments& arguments, const analysis::LoadedStudy& study
 
 }  // namespace
 
-int runStudy(const RunArguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
-  if (arguments.pdf) {
-    requireReports();
+analysis::LoadedStudy loadForRun(const RunArguments& arguments) {
+  study::Study study = study::loadStudy(arguments.study);
+  if (!arguments.models.empty()) {
+    study.models.clear();
+    for (const std::string& name : arguments.models) {
+      const viscera::OrganModel model = *viscera::organModelNamed(name);
+      if (std::find(study.models.begin(), study.models.end(), model) == study.models.end()) {
+        study.models.push_back(model);
+      }
+    }
   }
-  const analysis::LoadedStudy study = loadForRun(arguments);
-  if (study.study.sources.empty()) {
-    throw base::InputError(arguments.study.string(), "/sources", "the study has no source to shoot from; add one");
-  }
-  for (const std::string& pose : arguments.poses) {
-    analysis::resolvePose(study, pose);
-  }
+  Stage stage("reading " + arguments.study.filename().string(), arguments.quiet);
+  return analysis::load(std::move(study), arguments.study, {arguments.threads}, stage.progress());
+}
+
+analysis::RunOptions runOptions(const RunArguments& arguments) {
   analysis::RunOptions options;
   options.poses = arguments.poses;
   options.seed = arguments.seed;
   options.trials = arguments.trials;
   options.shots = arguments.shots;
   options.threads = {arguments.threads};
-  if (!arguments.shotReport.empty()) {
-    const analysis::ShotName shot = analysis::shotNamed(arguments.shotReport);
-    fmt::print("{}", analysis::shotReport(study, analysis::planRun(study, options), shot, options.threads));
-    return done;
-  }
-  base::NewFolders folders;
-  folders.willMake(arguments.out);
-  base::requireWritableFolder(arguments.out);
-  analysis::RunResult result;
-  {
-    Stage stage("shooting", arguments.quiet);
-    result = analysis::run(study, options, stage.progress());
-  }
+  return options;
+}
+
+int writeRun(const RunArguments& arguments, const analysis::LoadedStudy& study, analysis::RunResult result,
+             std::chrono::steady_clock::time_point start) {
   analysis::writeResults(study, result, arguments.out);
   try {
-    writeMore(arguments, study, result, options);
+    writeMore(arguments, study, result, runOptions(arguments));
   } catch (const base::Cancelled&) {
     // The tables that are there are whole; the folder is not.
     result.partial = true;
@@ -131,7 +114,12 @@ int runStudy(const RunArguments& arguments) {
   }
   const bool reported = arguments.pdf && !result.partial;
   if (reported) {
-    writeRunReport(study, result, arguments.out, options.threads, arguments.quiet);
+    try {
+      writeRunReport(study, result, arguments.out, {arguments.threads}, arguments.quiet);
+    } catch (const base::Cancelled&) {
+      fmt::print(stderr, "cancelled: the tables in {} are whole, the report was not made\n", arguments.out.string());
+      return cancelled;
+    }
   }
   printIssues(result.issues, false);
   if (!arguments.quiet) {
@@ -150,6 +138,59 @@ int runStudy(const RunArguments& arguments) {
     return cancelled;
   }
   return done;
+}
+
+namespace {
+
+/// One of several parts: nothing but its counts. \throw base::Cancelled
+int shootPart(const RunArguments& arguments, const analysis::LoadedStudy& study, analysis::RunOptions options) {
+  options.part = *arguments.part;
+  options.audit = false;  // merging does that
+  Stage stage("shooting", arguments.quiet);
+  const analysis::RunResult result = analysis::run(study, options, stage.progress());
+  if (result.partial) {
+    throw base::Cancelled();
+  }
+  base::writeFileAtomically(arguments.out / partFileName, partText(arguments, study, result));
+  if (!arguments.quiet) {
+    fmt::print("part {} of {} is in {}; when all are there: lorica-cli merge DIR... --out DIR\n",
+               options.part.index + 1, options.part.count, arguments.out.string());
+  }
+  return done;
+}
+
+}  // namespace
+
+int runStudy(const RunArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  if (arguments.pdf) {
+    requireReports();
+  }
+  const analysis::LoadedStudy study = loadForRun(arguments);
+  if (study.study.sources.empty()) {
+    throw base::InputError(arguments.study.string(), "/sources", "the study has no source to shoot from; add one");
+  }
+  for (const std::string& pose : arguments.poses) {
+    analysis::resolvePose(study, pose);
+  }
+  const analysis::RunOptions options = runOptions(arguments);
+  if (!arguments.shotReport.empty()) {
+    const analysis::ShotName shot = analysis::shotNamed(arguments.shotReport);
+    fmt::print("{}", analysis::shotReport(study, analysis::planRun(study, options), shot, options.threads));
+    return done;
+  }
+  base::NewFolders folders;
+  folders.willMake(arguments.out);
+  base::requireWritableFolder(arguments.out);
+  if (arguments.part) {
+    return shootPart(arguments, study, options);
+  }
+  analysis::RunResult result;
+  {
+    Stage stage("shooting", arguments.quiet);
+    result = analysis::run(study, options, stage.progress());
+  }
+  return writeRun(arguments, study, std::move(result), start);
 }
 
 }  // namespace lorica::cli

@@ -7,6 +7,26 @@
 
 namespace lorica::analysis {
 
+shotline::TargetLayout layoutOf(const LoadedStudy& study, std::size_t models) {
+  shotline::TargetLayout layout;
+  for (const std::size_t system : study.systemOfPiece) {
+    layout.pieceSystem.push_back(static_cast<std::uint32_t>(system + 1));
+  }
+  const human::BodyRegions& regions = study.body->body().regions;
+  layout.regionOfTriangle = regions.ofTriangle;
+  layout.regions = regions.names.size();
+  layout.systems = study.study.systems.size() + 1;
+  layout.organs = study.organs.size();
+  layout.models = models;
+  layout.classes = injuryClasses.size();
+  for (const study::Organ& organ : study.study.organs) {
+    const auto known = std::find(injuryClasses.begin(), injuryClasses.end(), organ.injuryClass);
+    layout.organClass.push_back(
+        known == injuryClasses.end() ? 0 : static_cast<std::uint32_t>(known - injuryClasses.begin() + 1));
+  }
+  return layout;
+}
+
 bool usesSoftBody(const LoadedStudy& study, viscera::OrganModel model) {
   return study.softBody != nullptr && model == viscera::OrganModel::dynamic;
 }
@@ -24,7 +44,7 @@ void placeOrgan(const LoadedStudy& study, std::size_t organ, viscera::OrganModel
 
 PosedScene::PosedScene(const LoadedStudy& study, std::vector<viscera::OrganModel> models,
                        const std::optional<human::Pose>& pose, raycast::SceneUse use, base::Threads threads)
-    : study_(&study), models_(std::move(models)), scene_(use) {
+    : study_(&study), models_(std::move(models)), scene_(use), layout_(layoutOf(study, models_.size())) {
   for (const auto& piece : study.pieces) {
     pieces_.emplace_back(piece->rig.rest.positions.size());
   }
@@ -38,24 +58,11 @@ PosedScene::PosedScene(const LoadedStudy& study, std::vector<viscera::OrganModel
   scene_.add(body_.skin, study.body->skinTopology());
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
     scene_.add(pieces_[p], study.pieces[p]->topology);
-    layout_.pieceSystem.push_back(static_cast<std::uint32_t>(study.systemOfPiece[p] + 1));
   }
   for (std::size_t slot = 0; slot < organs_.size(); ++slot) {
     scene_.add(organs_[slot], study.organs[slot % study.organs.size()]->topology);
   }
   scene_.build();
-  const human::BodyRegions& regions = study.body->body().regions;
-  layout_.regionOfTriangle = regions.ofTriangle;
-  layout_.regions = regions.names.size();
-  layout_.systems = study.study.systems.size() + 1;
-  layout_.organs = study.organs.size();
-  layout_.models = models_.size();
-  layout_.classes = injuryClasses.size();
-  for (const study::Organ& organ : study.study.organs) {
-    const auto known = std::find(injuryClasses.begin(), injuryClasses.end(), organ.injuryClass);
-    layout_.organClass.push_back(
-        known == injuryClasses.end() ? 0 : static_cast<std::uint32_t>(known - injuryClasses.begin() + 1));
-  }
 }
 
 void PosedScene::deform(const std::optional<human::Pose>& pose, base::Threads threads) {

@@ -114,15 +114,6 @@ void auditPose(const StudyAudit& audit, const PosedScene& scene, std::size_t pos
   }
 }
 
-/// The shots of a trial that a part is to shoot.
-shotline::ShotRange rangeOf(const RunPart& part, std::uint64_t shots) {
-  // By quotient and remainder: shots * index may be more than 64 bits hold.
-  const auto border = [&](std::uint64_t index) {
-    return shots / part.count * index + shots % part.count * index / part.count;
-  };
-  return {border(part.index), border(part.index + std::uint64_t{1}) - border(part.index)};
-}
-
 /// Half the width of the widest interval that the rule for stopping is about, with the trials so far.
 struct WidestInterval {
   double half = 0.0;
@@ -203,6 +194,14 @@ void shootPose(const LoadedStudy& study, const PosedScene& scene, std::size_t po
 
 }  // namespace
 
+shotline::ShotRange rangeOf(const RunPart& part, std::uint64_t shots) {
+  // By quotient and remainder: shots * index may be more than 64 bits hold.
+  const auto border = [&](std::uint64_t index) {
+    return shots / part.count * index + shots % part.count * index / part.count;
+  };
+  return {border(part.index), border(part.index + std::uint64_t{1}) - border(part.index)};
+}
+
 std::uint32_t trialsOf(const RunResult& result, std::size_t source) {
   return shotline::isDrawn(result.sources.at(source).source) ? result.trials : std::min(1U, result.trials);
 }
@@ -245,7 +244,7 @@ RunResult run(const LoadedStudy& study, const RunOptions& options, const base::P
   }
   constexpr double audited = 0.05;
   std::optional<StudyAudit> audit;  // the first part's
-  if (options.part.index == 0) {
+  if (options.part.index == 0 && options.audit) {
     try {
       audit.emplace(study, options.threads, progress.part(0.0, audited));
     } catch (const base::Cancelled&) {
@@ -267,7 +266,9 @@ RunResult run(const LoadedStudy& study, const RunOptions& options, const base::P
       if (audit) {
         auditPose(*audit, scene, p, options.threads, result, progress.part(begin, middle));
       }
-      shootPose(study, scene, p, options.threads, result, progress.part(middle, end));
+      if (options.shoot) {
+        shootPose(study, scene, p, options.threads, result, progress.part(middle, end));
+      }
     } catch (const base::Cancelled&) {
       result.partial = true;
     }

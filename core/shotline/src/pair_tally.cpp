@@ -1,5 +1,7 @@
 #include "lorica/shotline/pair_tally.h"
 
+#include <algorithm>
+
 namespace lorica::shotline {
 
 namespace {
@@ -29,6 +31,28 @@ void PairTally::add(const PairTally& other) {
   addUp(onlyProtected_, other.onlyProtected_);
   addUp(onlyHit_, other.onlyHit_);
   addUp(soleGuard_, other.soleGuard_);
+}
+
+std::vector<std::uint64_t> PairTally::numbers() const {
+  std::vector<std::uint64_t> numbers = onlyProtected_;
+  numbers.insert(numbers.end(), onlyHit_.begin(), onlyHit_.end());
+  numbers.insert(numbers.end(), soleGuard_.begin(), soleGuard_.end());
+  return numbers;
+}
+
+std::optional<PairTally> PairTally::fromNumbers(const TargetLayout& layout, std::span<const std::uint64_t> numbers,
+                                                std::uint64_t shots) {
+  PairTally tally(layout);
+  const bool sound = numbers.size() == tally.numbers().size() &&
+                     std::all_of(numbers.begin(), numbers.end(), [&](std::uint64_t n) { return n <= shots; });
+  if (!sound) {
+    return std::nullopt;
+  }
+  for (std::vector<std::uint64_t>* counts : {&tally.onlyProtected_, &tally.onlyHit_, &tally.soleGuard_}) {
+    std::copy_n(numbers.begin(), counts->size(), counts->begin());
+    numbers = numbers.subspan(counts->size());
+  }
+  return tally;
 }
 
 PairCounter::PairCounter(const TargetLayout& layout)

@@ -61,4 +61,47 @@ void Tally::add(const Tally& other) {
   shotline::add(anyArmor_, other.anyArmor_);
 }
 
+template <class Self, class Use>
+void Tally::forEachCount(Self& tally, const Use& use) {
+  use(tally.body_);
+  for (auto* counts :
+       {&tally.regions_, &tally.organs_, &tally.anyOrgan_, &tally.classes_, &tally.pieces_, &tally.anyArmor_}) {
+    for (auto& count : *counts) {
+      use(count);
+    }
+  }
+}
+
+std::vector<std::uint64_t> Tally::numbers() const {
+  std::vector<std::uint64_t> numbers{shots_};
+  numbers.insert(numbers.end(), bodyShielded_.begin(), bodyShielded_.end());
+  forEachCount(*this, [&](const Count& count) {
+    numbers.insert(numbers.end(), {count.any, count.first, count.shielded, count.withBody});
+  });
+  return numbers;
+}
+
+std::optional<Tally> Tally::fromNumbers(const TargetLayout& layout, std::span<const std::uint64_t> numbers) {
+  Tally tally(layout);
+  if (numbers.size() != tally.numbers().size()) {
+    return std::nullopt;
+  }
+  std::size_t next = 0;
+  tally.shots_ = numbers[next++];
+  for (std::uint64_t& shielded : tally.bodyShielded_) {
+    shielded = numbers[next++];
+  }
+  bool sound = true;
+  forEachCount(tally, [&](Count& count) {
+    count = {numbers[next], numbers[next + 1], numbers[next + 2], numbers[next + 3]};
+    next += 4;
+    sound = sound && count.any <= tally.shots_ && count.first <= count.any && count.shielded <= count.any &&
+            count.withBody <= count.any;
+  });
+  for (const std::uint64_t shielded : tally.bodyShielded_) {
+    sound = sound && shielded <= tally.body_.any;
+  }
+  return sound ? std::optional(std::move(tally)) : std::nullopt;
+}
+
 }  // namespace lorica::shotline

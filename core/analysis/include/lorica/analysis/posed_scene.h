@@ -14,6 +14,9 @@ namespace lorica::analysis {
 /// Classes of organs, in the order of TargetLayout.
 inline constexpr std::array<std::string_view, 2> injuryClasses{"essential", "desirable"};
 
+/// What the meshes of a posed scene of `models` models stand for. \pre study outlives the layout
+shotline::TargetLayout layoutOf(const LoadedStudy& study, std::size_t models);
+
 /// Whether a model of an organ is that of LoadedStudy::softBody.
 bool usesSoftBody(const LoadedStudy& study, viscera::OrganModel model);
 

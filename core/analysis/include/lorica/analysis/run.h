@@ -24,6 +24,8 @@ struct RunOptions {
   std::optional<std::uint32_t> trials;
   std::optional<std::uint64_t> shots;  ///< per trial, for every source but grids and lists, which have their own
   RunPart part;
+  bool audit = true;  ///< measure the deformation
+  bool shoot = true;  ///< else `results` has no trials, as of a run whose shots come from elsewhere
   base::Threads threads;
 };
 
@@ -82,5 +84,8 @@ RunResult run(const LoadedStudy& study, const RunOptions& options, const base::P
 /// wherever the parts were computed.
 /// \pre they are parts 0, 1, ... of one run (study, options), all of them, none partial
 RunResult merge(std::span<const RunResult> parts);
+
+/// The shots of each trial that a part shoots.
+shotline::ShotRange rangeOf(const RunPart& part, std::uint64_t shots);
 
 }  // namespace lorica::analysis

@@ -31,6 +31,12 @@ class PairTally {
   void add(const PairTally& other);
   bool operator==(const PairTally&) const = default;
 
+  /// All counts one after another, for fromNumbers().
+  std::vector<std::uint64_t> numbers() const;
+  /// The tally of such numbers; none when there are not as many as the layout asks for, or when one is above `shots`.
+  static std::optional<PairTally> fromNumbers(const TargetLayout& layout, std::span<const std::uint64_t> numbers,
+                                              std::uint64_t shots);
+
  private:
   friend class PairCounter;
   std::size_t organs_ = 0;

@@ -10,6 +10,7 @@
 ///  - protected: armor of the system is crossed before the structure's first crossing (for a piece: another piece).
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,8 +66,16 @@ class Tally {
   void add(const Tally& other);
   bool operator==(const Tally&) const = default;
 
+  /// All counts one after another, for fromNumbers().
+  std::vector<std::uint64_t> numbers() const;
+  /// The tally of such numbers, that of a file for one; none when there are not as many as the layout asks for, or when
+  /// one is larger than what it is a part of.
+  static std::optional<Tally> fromNumbers(const TargetLayout& layout, std::span<const std::uint64_t> numbers);
+
  private:
   friend class ShotCounter;
+  template <class Self, class Use>
+  static void forEachCount(Self& tally, const Use& use);
   std::size_t systems_ = 0;
   std::size_t organsPerModel_ = 0;
   std::size_t classCount_ = 0;
