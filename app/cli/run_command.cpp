@@ -117,7 +117,12 @@ int runStudy(const RunArguments& arguments) {
   }
   const bool reported = arguments.pdf && !result.partial;
   if (reported) {
-    writeRunReport(study, result, arguments.out, options.threads, arguments.quiet);
+    try {
+      writeRunReport(study, result, arguments.out, options.threads, arguments.quiet);
+    } catch (const base::Cancelled&) {
+      fmt::print(stderr, "cancelled: the tables in {} are whole, the report was not made\n", arguments.out.string());
+      return cancelled;
+    }
   }
   printIssues(result.issues, false);
   if (!arguments.quiet) {
