@@ -1,5 +1,8 @@
 #include "lorica/study/run_facts.h"
 
+#include <limits>
+#include <utility>
+
 #include "json_node.h"
 #include "lorica/base/error.h"
 #include "lorica/base/files.h"
@@ -99,10 +102,11 @@ void readStop(const Node& node, RunFacts& facts) {
     return;
   }
   node.members("a rule for stopping");
-  RunFacts::Stop& stop = facts.stop.emplace();
+  RunFacts::Stop stop;
   stop.structures = texts(node["structures"], "a list of structures");
   stop.halfWidth = node["half_width"].number(notNegative);
   stop.maxTrials = node["max_trials"].whole(0, most);
+  facts.stop = std::move(stop);
 }
 
 }  // namespace

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <stdexcept>
 
 #include "lorica/base/error.h"
 #include "made_run.h"
@@ -75,6 +78,25 @@ TEST(Report, KeyFindingsNameTheLargestDifferenceOfTheModels) {
   const auto first = text.indexOf("The largest differences in coverage:");
   ASSERT_GE(first, 0);
   EXPECT_TRUE(text.mid(first + 36, 60).contains(wanted)) << text.mid(first, 120).toStdString();
+}
+
+TEST(Report, KeyFindingsSetSystemsAgainstEachOther) {
+  RunSize size;
+  size.systems = {"vest", "carrier"};
+  const analysis::RunTables run = madeRun(size);
+  const auto coverage = [&](const std::string& system) {
+    for (const analysis::CoverageRow& row : run.summary) {
+      if (row.place.system == system && row.place.model == "dynamic" && row.structure == "organs") {
+        return *row.coverage.value;
+      }
+    }
+    return 0.0;
+  };
+  const double change = 100.0 * (coverage("vest") - coverage("carrier"));
+  const QString wanted = QString("vest against carrier, all organs: a difference of %1%2 percentage points in rest.")
+                             .arg(change < 0.0 ? QString(QChar(0x2212)) : QString("+"))
+                             .arg(QString::number(std::abs(change), 'f', 1));
+  EXPECT_TRUE(PdfText(reportPdf(run, {})).text().contains(wanted)) << wanted.toStdString();
 }
 
 TEST(Report, PagesAreNumberedAndTheFileSaysWhatItIs) {
@@ -186,6 +208,21 @@ TEST(Report, WhatIsMissingIsSaidInWords) {
   hollow.organs.clear();
   analysis::RunTables empty = madeRun(hollow);
   EXPECT_TRUE(PdfText(reportPdf(empty, {})).text().contains("The study has no organs"));
+}
+
+TEST(Report, SaysHowManyPosesHaveNoPicture) {
+  RunSize size;
+  size.poses = {"rest", "kneeling", "prone"};
+  QImage image(40, 90, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  PictureSet pictures;
+  pictures.model = "dynamic";
+  pictures.metresPerPixel = 0.02;
+  pictures.poses.push_back({"kneeling", "vest", image, image, image});
+  pictures.legend.push_back({"heart", "", qRgb(200, 0, 0)});
+  const QString text = PdfText(reportPdf(madeRun(size), pictures)).text();
+  EXPECT_TRUE(text.contains("kneeling, vest"));
+  EXPECT_TRUE(text.contains("2 more poses of the run are not drawn."));
 }
 
 TEST(Report, CanBeStopped) {

@@ -123,6 +123,33 @@ void writeSpan(const Report& report, const std::string& source, const std::strin
                                 .arg(head, least, percentWithRange(highest->coverage), text(highest->place.pose)));
 }
 
+/// Where two systems differ least and most over the poses, in a total.
+void writeSystemDifference(const Report& report, const std::string& source, const std::string& first,
+                           const std::string& second, const StructureKey& total) {
+  const RunView& view = report.view;
+  std::vector<std::pair<double, std::string>> differences;
+  for (const std::string& pose : view.posesOf(source)) {
+    const auto of = [&](const std::string& system) {
+      return view.coverage(source, system, view.mainModel(), pose, total);
+    };
+    if (const std::optional<double> change = difference(of(second), of(first))) {
+      differences.emplace_back(*change, pose);
+    }
+  }
+  if (differences.empty()) {
+    return;
+  }
+  const auto [least, most] = std::minmax_element(differences.begin(), differences.end());
+  const QString head = Text::tr("%1 against %2, %3%4:")
+                           .arg(text(first), text(second), structureLabel(total.structure, total.kind).toLower(),
+                                fromSource(view, source));
+  report.sheet.bullet(differences.size() == 1 ? Text::tr("%1 a difference of %2 percentage points in %3.")
+                                                    .arg(head, points(least->first), text(least->second))
+                                              : Text::tr("%1 a difference of %2 (%3) to %4 (%5) percentage points.")
+                                                    .arg(head, points(least->first), text(least->second),
+                                                         points(most->first), text(most->second)));
+}
+
 void writeSystemSentences(const Report& report) {
   for (const std::string& source : report.view.sources) {
     for (const std::string& system : report.view.armored) {
@@ -131,6 +158,10 @@ void writeSystemSentences(const Report& report) {
           writeSpan(report, source, system, total);
         }
       }
+    }
+    for (std::size_t other = 1; other < report.view.armored.size(); ++other) {
+      writeSystemDifference(report, source, report.view.armored.front(), report.view.armored[other],
+                            report.view.totals.back());
     }
   }
 }

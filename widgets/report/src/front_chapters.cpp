@@ -109,14 +109,14 @@ QString retracedText(const study::RunFacts& facts) {
 
 void writeContents(Sheet& sheet, const std::vector<ContentsLine>& contents) {
   constexpr double height = 4.6;
-  const double wanted = 9.0 + height * static_cast<double>((contents.size() + 1) / 2);
+  const std::size_t half = (contents.size() + 1) / 2;
+  const double wanted = 9.0 + height * static_cast<double>(half);
   if (contents.empty() || !sheet.fits(wanted)) {
     return;
   }
   sheet.moveTo(Sheet::bottom - wanted);
   sheet.line({Sheet::left, sheet.y(), Sheet::width, 5.0}, Text::tr("Contents"), styles::section);
   const double y = sheet.y() + 7.0;
-  const std::size_t half = (contents.size() + 1) / 2;
   constexpr double gutter = 8.0;
   constexpr double column = 0.5 * (Sheet::width - gutter);
   for (std::size_t i = 0; i < contents.size(); ++i) {

@@ -107,6 +107,14 @@ void writePictureChapter(const Report& report) {
                            "the analysis, in parallel view and all at one scale. The skin and the armor are shown "
                            "translucent; organs follow the model %1.")
                       .arg(modelLabel(pictures.model)));
+  const std::vector<std::string>& poses = report.run.facts.poses;
+  const auto left = std::count_if(poses.begin(), poses.end(), [&](const std::string& pose) {
+    return std::none_of(pictures.poses.begin(), pictures.poses.end(),
+                        [&](const PosePictures& shown) { return shown.pose == pose; });
+  });
+  if (left > 0) {
+    sheet.paragraph(Text::tr("%1 more poses of the run are not drawn.").arg(left));
+  }
   for (const PosePictures& pose : pictures.poses) {
     sheet.need(scaleOf(pictures, rowHeight) * pose.front.height() + 9.0);
     sheet.line({Sheet::left, sheet.y(), Sheet::width, 5.0}, Text::tr("%1, %2").arg(text(pose.pose), text(pose.system)),

@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 
 /// About 300 dpi where three poses share a page.
 constexpr double metresPerPixel = 0.002;
-constexpr double margin = 0.02;  ///< m around the body
+constexpr std::size_t mostPoses = 24;  ///< more would make a picture book
+constexpr double margin = 0.02;        ///< m around the body
 /// Of armor, so that organs behind it show.
 constexpr double armorOpacity = 0.38;
 constexpr std::array<const char*, 3> viewNames{"front", "side", "back"};
@@ -166,12 +167,15 @@ PictureSet drawPictures(const analysis::LoadedStudy& study, const analysis::RunR
   }
   // Posed twice, first for the extent of all: holding every pose would need memory for each.
   analysis::PosedScene scene(study, {model}, std::nullopt, raycast::SceneUse::manyFrames, threads);
-  const auto poses = static_cast<double>(result.poses.size());
+  const std::vector<std::string> shown(
+      result.poses.begin(),
+      result.poses.begin() + static_cast<std::ptrdiff_t>(std::min(mostPoses, result.poses.size())));
+  const auto poses = static_cast<double>(shown.size());
   const auto pose = [&](const std::string& name) { scene.move(analysis::resolvePose(study, name).pose, threads); };
   Extent extent;
-  for (std::size_t p = 0; p < result.poses.size(); ++p) {
+  for (std::size_t p = 0; p < shown.size(); ++p) {
     progress.check();
-    pose(result.poses[p]);
+    pose(shown[p]);
     extent.take(boxOf(study, scene));
     progress.report(0.2 * static_cast<double>(p + 1) / poses);
   }
@@ -192,11 +196,11 @@ PictureSet drawPictures(const analysis::LoadedStudy& study, const analysis::RunR
     pictures.back = from(geometry::Vec3d::UnitZ(), 0.6, 1.0);
     set.poses.push_back(std::move(pictures));
   };
-  for (const std::string& name : result.poses) {
+  for (const std::string& name : shown) {
     draw(name, systems.front());
   }
-  for (std::size_t s = 1; s < systems.size() && !result.poses.empty(); ++s) {
-    draw(result.poses.front(), systems[s]);
+  for (std::size_t s = 1; s < systems.size() && !shown.empty(); ++s) {
+    draw(shown.front(), systems[s]);
   }
   return set;
 }

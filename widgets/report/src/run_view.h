@@ -22,8 +22,8 @@ struct StructureKey {
 
 class RunView {
  public:
-  /// \pre run outlives the view
-  explicit RunView(const analysis::RunTables& run);
+  /// \pre tables outlive the view
+  explicit RunView(const analysis::RunTables& tables);
 
   const analysis::RunTables& run;
   std::vector<std::string> sources;

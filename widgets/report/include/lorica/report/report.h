@@ -38,7 +38,8 @@ struct PictureSet {
   std::vector<LegendEntry> legend;
 };
 
-/// Draws every pose of a run under the first armor system, and the first pose under each of the others.
+/// Draws the poses of a run, the first 24 of them, under the first armor system, and the first pose under each of the
+/// others.
 /// \throw base::Cancelled. Cost: about a second for three poses
 PictureSet drawPictures(const analysis::LoadedStudy& study, const analysis::RunResult& result, base::Threads threads,
                         const base::Progress& progress = {});
