@@ -154,7 +154,7 @@ void MainWindow::makeAnalysisMenu() {
   QAction* deformation =
       menu->addAction(tr("&Deformation of organs"), QKeySequence(tr("Ctrl+D")), this, &MainWindow::showDeformation);
   QAction* shot = menu->addAction(tr("Single s&hot"), this, &MainWindow::showShot);
-  QAction* survey = menu->addAction(tr("Di&rections and motion"), this, &MainWindow::showSurvey);
+  QAction* survey = menu->addAction(tr("&Analyses of a run"), this, &MainWindow::showSurvey);
   auto* bar = addToolBar(tr("Tools"));
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);

@@ -25,6 +25,7 @@
 #include "lorica/dialogs/human_dialog.h"
 #include "lorica/dialogs/import_dialog.h"
 #include "lorica/study/study_file.h"
+#include "status_facts.h"
 #include "welcome_page.h"
 
 namespace lorica::gui {
@@ -122,7 +123,7 @@ void MainWindow::makePanels() {
   shotDock_ = dock(tr("Shot"), "shot", shot_, Qt::BottomDockWidgetArea);
   tabifyDockWidget(resultsDock_, deformationDock_);
   tabifyDockWidget(resultsDock_, shotDock_);
-  surveyDock_ = dock(tr("Directions and motion"), "survey", survey_, Qt::BottomDockWidgetArea);
+  surveyDock_ = dock(tr("Analyses"), "survey", survey_, Qt::BottomDockWidgetArea);
   tabifyDockWidget(resultsDock_, surveyDock_);
   tabifyDockWidget(resultsDock_, problemsDock_);
   resizeDocks({projectDock, propertiesDock}, {440, 300}, Qt::Vertical);
@@ -131,6 +132,19 @@ void MainWindow::makePanels() {
   for (QDockWidget* below : {resultsDock_, chartDock_, deformationDock_, shotDock_, surveyDock_, problemsDock_}) {
     below->hide();
   }
+  // The chart is of the results: what stands in their place has the chart's room too.
+  connect(resultsDock_, &QDockWidget::visibilityChanged, this, [this](bool inFront) {
+    if (!isVisible() || resultsDock_->isHidden()) {
+      return;
+    }
+    if (inFront) {
+      chartDock_->setHidden(!chartWaits_ && chartDock_->isHidden());
+      chartWaits_ = false;
+    } else {
+      chartWaits_ = chartWaits_ || !chartDock_->isHidden();
+      chartDock_->hide();
+    }
+  });
   shotLines_ = new dialogs::ShotLineDialog(document_, runs_, this);
 }
 
@@ -147,11 +161,8 @@ void MainWindow::makeStatusBar() {
   connect(problemCount_, &QToolButton::clicked, this, &MainWindow::showProblems);
   cancel_ = new QToolButton;
   cancel_->setText(tr("Cancel"));
-  timing_ = new QLabel;
-  timing_->setToolTip(tr("Time to pose skin, organs and armor and to make them ready for rays; time to draw them"));
-  for (QWidget* widget :
-       {static_cast<QWidget*>(working_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_),
-        static_cast<QWidget*>(problemCount_), static_cast<QWidget*>(timing_)}) {
+  facts_ = new StatusFacts(document_);
+  for (QWidget* widget : std::initializer_list<QWidget*>{working_, progress_, cancel_, facts_, problemCount_}) {
     statusBar()->addPermanentWidget(widget);
   }
   connect(cancel_, &QToolButton::clicked, this, [this] {
@@ -171,7 +182,7 @@ void MainWindow::connectAll() {
     openedSample_ = false;
     engine_.setStudy(nullptr);
     view_->showFrame(nullptr);
-    timing_->clear();
+    facts_->setFrame(nullptr);
     if (document_.runs().empty()) {
       resultsDock_->hide();
       chartDock_->hide();
@@ -194,11 +205,7 @@ void MainWindow::connectAll() {
   connect(&engine_, &jobs::FrameEngine::failed, this,
           [this](const QString& text) { statusBar()->showMessage(text, 1000 * statusSeconds); });
   timeline_->setBusyCheck([this] { return engine_.isBusy(); });
-  connect(view_, &viewport::SceneView::drawn, this, [this](double ms) {
-    if (const auto& frame = view_->frame()) {
-      timing_->setText(tr("pose %1 ms, draw %2 ms").arg(frame->engineMs, 0, 'f', 1).arg(ms, 0, 'f', 0));
-    }
-  });
+  connect(view_, &viewport::SceneView::drawn, facts_, &StatusFacts::setDrawingTime);
 
   connect(&loader_, &jobs::StudyLoader::started, this, [this] {
     connect(loader_.job(), &jobs::Job::progressed, this, &MainWindow::updateJobs);
@@ -210,12 +217,7 @@ void MainWindow::connectAll() {
     updateJobs();
   });
   connect(&runs_, &jobs::RunController::ended, this, &MainWindow::updateJobs);
-  connect(&runs_, &jobs::RunController::finished, this, [this](bool partial) {
-    showResults();
-    statusBar()->showMessage(partial ? tr("The run was stopped; what was finished is kept and marked as partial.")
-                                     : tr("The run is finished."),
-                             1000 * statusSeconds);
-  });
+  connect(&runs_, &jobs::RunController::finished, this, &MainWindow::takeRun);
   connect(&runs_, &jobs::RunController::failed, this,
           [this](const QString& text) { complain(tr("The run failed."), text); });
 
@@ -251,6 +253,19 @@ void MainWindow::connectAll() {
     showShot();
     shot_->inspect(name);
   });
+  connect(survey_, &panels::SurveyPanel::patchPicked, this,
+          [this](const std::shared_ptr<const jobs::SkinPatch>& patch) {
+            view_->markPatch(patch);
+            if (patch != nullptr && document_.loaded() != nullptr && document_.loaded()->body == patch->body) {
+              document_.showPose(patch->pose);
+            }
+          });
+  connect(survey_, &panels::SurveyPanel::patchLookedAt, this,
+          [this](const std::shared_ptr<const jobs::SkinPatch>& patch) {
+            if (!patch->towards.isZero()) {
+              view_->lookAlong(patch->towards, patch->centre);
+            }
+          });
   connect(shot_, &panels::ShotPanel::inspected, view_, &viewport::SceneView::markShot);
   connect(shotLines_, &dialogs::ShotLineDialog::pickRequested, this, [this](bool on) {
     const auto& sources = document_.study().sources;
@@ -411,7 +426,7 @@ void MainWindow::writeTables(const std::shared_ptr<const document::RunRecord>& r
     return;
   }
   saveInBackground(
-      tr("Shooting by direction and over the motion"),
+      tr("Working out the analyses"),
       [run, folder = pathOf(folder)](const base::Progress& progress) {
         analysis::writeAnalyses(*run->study, run->result, {}, folder, progress);
       },
@@ -550,6 +565,24 @@ void MainWindow::showShotLines() {
   shotLines_->activateWindow();
 }
 
+void MainWindow::takeRun(bool partial) {
+  showResults();
+  const auto& run = document_.runs().back();
+  if (jobs::asksForSurvey(*run)) {
+    // Beside the results, where one sees that there is more to have.
+    surveyDock_->show();
+    resultsDock_->raise();
+  }
+  // The dialog would stand before what it was opened for; it keeps all that was put in.
+  if (shotLines_->isVisible()) {
+    shotLines_->hide();
+    activateWindow();
+  }
+  statusBar()->showMessage(partial ? tr("The run was stopped; what was finished is kept and marked as partial.")
+                                   : tr("%1 is finished.").arg(QString::fromStdString(run->name)),
+                           1000 * statusSeconds);
+}
+
 void MainWindow::showResults() {
   const bool opens = resultsDock_->isHidden() && chartDock_->isHidden();
   resultsDock_->show();
@@ -615,6 +648,7 @@ void MainWindow::takeFrame(const std::shared_ptr<const jobs::Frame>& frame) {
     return;
   }
   view_->showFrame(frame);
+  facts_->setFrame(frame);
 }
 
 void MainWindow::updateTitle() {

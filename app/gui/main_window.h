@@ -37,6 +37,7 @@ class QToolButton;
 
 namespace lorica::gui {
 
+class StatusFacts;
 class WelcomePage;
 
 class MainWindow : public QMainWindow {
@@ -95,6 +96,8 @@ class MainWindow : public QMainWindow {
   void makeColouringMenu(QMenu& menu);
   void makeAnalysisMenu();
   void makeStatusBar();
+  /// Shows what a run gave.
+  void takeRun(bool partial);
   /// Opens the panels of results below the view, if they are not.
   void showResults();
   /// Shows a panel below the view; gives it some height when it is the first there.
@@ -139,6 +142,7 @@ class MainWindow : public QMainWindow {
   jobs::RunController runs_;
   std::unique_ptr<jobs::Job> saving_;  ///< of tables that have to be shot for
   dialogs::ShotDisplay shots_;
+  bool chartWaits_ = false;    ///< hidden for what stands before the results, and comes back with them
   bool openedSample_ = false;  ///< the study is a built-in sample
 
   QStackedWidget* pages_ = nullptr;
@@ -166,7 +170,7 @@ class MainWindow : public QMainWindow {
   QToolButton* problemCount_ = nullptr;
   QMenu* panelsMenu_ = nullptr;
   QMenu* recentMenu_ = nullptr;
-  QLabel* timing_ = nullptr;
+  StatusFacts* facts_ = nullptr;
   QLabel* working_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QToolButton* cancel_ = nullptr;

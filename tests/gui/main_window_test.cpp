@@ -28,6 +28,7 @@
 
 #include "lorica/analysis/results.h"
 #include "lorica/commands/edits.h"
+#include "lorica/commands/shot_edits.h"
 #include "lorica/dialogs/human_dialog.h"
 #include "lorica/dialogs/import_dialog.h"
 #include "lorica/document/appearance.h"
@@ -394,6 +395,52 @@ TEST_F(Window, TheViewHasAllTheRoomUntilThereAreResults) {
   QCoreApplication::processEvents();
   EXPECT_LT(window_.view().height(), height);
   EXPECT_GT(window_.view().height(), height / 3) << "the body is still seen";
+}
+
+TEST_F(Window, ResultsStandInFrontWhenARunFromTheDialogEnds) {
+  open();
+  window_.showShotLines();
+  ASSERT_TRUE(window_.shotLines().isVisible());
+  ASSERT_EQ(window_.runs().start(), "");
+  EXPECT_TRUE(window_.shotLines().isVisible()) << "it shows the progress";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.runs().job() == nullptr; }, patience));
+  EXPECT_FALSE(window_.shotLines().isVisible());
+  EXPECT_TRUE(window_.results().isVisible());
+  EXPECT_TRUE(window_.chart().isVisible());
+  EXPECT_FALSE(window_.survey().isVisible()) << "the study asks for none of it";
+}
+
+TEST_F(Window, WhatARunIsAskedForBesideIsOfferedBesideItsResults) {
+  open();
+  study::Analyses asked;
+  asked.gaps = study::GapSettings{{"liver"}};
+  commands::setAnalyses(window_.document(), asked);
+  waitForFrame("rest");
+  ASSERT_EQ(window_.runs().start(), "");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.runs().job() == nullptr; }, patience));
+  auto* dock = window_.findChild<QDockWidget*>("survey");
+  EXPECT_FALSE(dock->isHidden());
+  EXPECT_TRUE(window_.results().isVisible()) << "results are in front";
+  window_.survey().compute();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.survey().isBusy(); }, patience));
+  EXPECT_TRUE(window_.survey().survey()->gaps);
+}
+
+TEST_F(Window, TheStatusBarSaysPoseAndSelectionAndKeepsTimesToItsTooltip) {
+  open();
+  const auto text = [&](const char* name) { return window_.findChild<QLabel*>(QString::fromLatin1(name))->text(); };
+  EXPECT_EQ(text("status_pose"), "Pose: rest");
+  EXPECT_EQ(text("status_selection"), "");
+  window_.document().showPose("toe_touch@2");
+  window_.document().select(ItemRef{ItemKind::organ, "liver"});
+  waitForFrame("toe_touch@2");
+  EXPECT_EQ(text("status_pose"), "toe_touch at 2.00 of 4.00 s");
+  EXPECT_EQ(text("status_selection"), "Selected: liver");
+  picture();
+  const auto* facts = window_.findChild<QLabel*>("status_pose")->parentWidget();
+  EXPECT_TRUE(facts->toolTip().contains(" ms"));
+  window_.document().close();
+  EXPECT_EQ(text("status_pose"), "");
 }
 
 TEST_F(Window, ACancelledRunKeepsWhatWasFinishedAndTheWindowIsUsable) {

@@ -3,6 +3,7 @@
 /// \file
 /// Takes pictures of the window for people to look at.
 
+#include <QApplication>
 #include <QTest>
 #include <cstdio>
 
@@ -15,7 +16,20 @@ inline constexpr int patience = 120000;
 class Photographer {
  public:
   Photographer(MainWindow& window, QString folder, QString prefix)
-      : window_(window), folder_(std::move(folder)), prefix_(std::move(prefix)) {}
+      : window_(window), folder_(std::move(folder)), prefix_(std::move(prefix)) {
+    // LORICA_PICTURE_SIZE=1920x1080: of the window, in place of its own.
+    const QStringList size = qEnvironmentVariable("LORICA_PICTURE_SIZE").split(u'x');
+    if (size.size() == 2) {
+      window.resize(size[0].toInt(), size[1].toInt());
+    }
+    // LORICA_PICTURE_DARK=1: as on a dark desktop.
+    if (qEnvironmentVariableIsSet("LORICA_PICTURE_DARK")) {
+      QPalette dark(QColor(53, 53, 53), QColor(42, 42, 42));
+      dark.setColor(QPalette::Base, QColor(30, 30, 30));
+      dark.setColor(QPalette::Highlight, QColor(42, 110, 180));
+      QApplication::setPalette(dark);
+    }
+  }
 
   void settle(const std::string& pose) {
     const bool there = QTest::qWaitFor(

@@ -8,6 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QTabWidget>
+#include <QTableView>
 #include <cstdio>
 #include <functional>
 
@@ -83,6 +84,33 @@ void takeSurvey(Photographer& photographer, MainWindow& window) {
   photographer.take("survey_motion");
 }
 
+/// Pictures of the gaps in the armor, in the table and on the skin, and of coverage where organs may lie elsewhere.
+void takeGaps(Photographer& photographer, MainWindow& window) {
+  lorica::study::Study study = window.document().study();
+  study.runPoses = {"rest", "toe_touch@2"};
+  study.analyses = {};
+  study.analyses.gaps = lorica::study::GapSettings{{"heart", "liver"}};
+  study.analyses.anatomy = lorica::study::AnatomySettings{5};
+  lorica::commands::replaceStudy(window.document(), study, "Gaps");
+  photographer.settle("rest");
+  if (const QString why = window.runs().start(); !why.isEmpty()) {
+    std::fprintf(stderr, "no run: %s\n", qPrintable(why));
+    return;
+  }
+  waitFor([&] { return window.runs().job() == nullptr; });
+  photographer.take("analyses_offered");
+  window.showSurvey();
+  window.survey().compute();
+  waitFor([&] { return !window.survey().isBusy(); });
+  photographer.take("survey_gaps");
+  window.survey().table().selectRow(0);
+  photographer.settle(window.document().shownPose());
+  Q_EMIT window.survey().table().activated(window.survey().table().currentIndex());
+  photographer.take("survey_gap_picked");
+  window.survey().findChild<QComboBox*>("survey_what")->setCurrentIndex(1);
+  photographer.take("survey_places");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -141,5 +169,6 @@ int main(int argc, char** argv) {
   window.document().select(ItemRef{ItemKind::study, ""});
   photographer.take("study_form");
   takeSurvey(photographer, window);
+  takeGaps(photographer, window);
   return 0;
 }

@@ -116,7 +116,8 @@ int main(int argc, char** argv) {
   display.on = true;
   display.limit = 400;
   Q_EMIT window.shotLines().shotDisplayChanged(display);
-  window.document().select(lorica::document::ItemRef{lorica::document::ItemKind::source, "front"});
+  window.document().select(
+      lorica::document::ItemRef{lorica::document::ItemKind::source, window.document().study().sources.front().name});
   QTest::qWait(1500);
   photographer.take("shots");
   const QString why = window.runs().start();
@@ -128,7 +129,9 @@ int main(int argc, char** argv) {
   if (!QTest::qWaitFor([&] { return window.runs().job() == nullptr; }, patience)) {
     std::fprintf(stderr, "the run takes very long\n");
   }
-  window.document().select(lorica::document::ItemRef{lorica::document::ItemKind::organ, "liver"});
+  if (const auto& organs = window.document().study().organs; !organs.empty()) {
+    window.document().select(lorica::document::ItemRef{lorica::document::ItemKind::organ, organs.front().name});
+  }
   photographer.take("after_run");
   photographer.take("shot_lines_after", &window.shotLines());
   for (auto* dock : window.findChildren<QDockWidget*>()) {

@@ -126,6 +126,30 @@ class Shelled {
     return openPatches(scene_.topology(raycast::MeshIndex{0}), meshes_[0].positions, counts.skin.hits,
                        counts.skin.openUnder(system), rule);
   }
+  /// Skin through which the organ is reached without armor, m2.
+  struct Window {
+    double clipped = 0.0;  ///< triangles at the rim by their part
+    double whole = 0.0;
+  };
+  Window organWindow(const Source& source, std::uint64_t shots) const {
+    const auto shot = entries(source, shots);
+    const GapCounts& counts = shot.second[1];
+    const auto area = [&](std::span<const std::uint64_t> of) {
+      double sum = 0.0;
+      for (const OpenPatch& patch : openPatches(scene_.topology(raycast::MeshIndex{0}), meshes_[0].positions,
+                                                counts.skin.hits, counts.skin.openUnder(0), {}, of)) {
+        sum += patch.area;
+      }
+      return sum;
+    };
+    return {area(shot.first), area({})};
+  }
+  std::pair<std::vector<std::uint64_t>, std::vector<GapCounts>> entries(const Source& source,
+                                                                        std::uint64_t shots) const {
+    GapCounter counter(scene_, layout_, watched);
+    observeShots(scene_, ShotGenerator(source, 3, 0), {0, shots}, {}, {}, counter);
+    return {counter.entries(), counter.counts()};
+  }
   Tally tally(const Source& source, std::uint64_t shots) const {
     return trace(scene_, layout_, ShotGenerator(source, 3, 0), shots, {}).tally;
   }
@@ -278,6 +302,45 @@ TEST(Gaps, OfAnOrganAreWhereShotsThatReachItEnterTheSkin) {
   }
   EXPECT_NEAR(patches[0].area, area, 0.05 * area);
   EXPECT_EQ(counts[1].offSkin, 0U);
+}
+
+TEST(Gaps, AnOrganIsSeenThroughTheSkinBeforeItNotThroughWholeTriangles) {
+  // Without armor, a ball of 100 mm radius is seen from afar through a disk of the face, whatever its triangles.
+  for (const int cells : {8, 20, 40}) {
+    const Shelled body(cube(half, cells), shellWith(0.202, {hole}));
+    const Shelled::Window window = body.organWindow(beamFrom(0.0, 0.0, 0.3), 400000);
+    const double disk = std::numbers::pi * 0.01;
+    EXPECT_NEAR(window.clipped, disk, 0.015 * disk) << cells;
+    EXPECT_GT(window.whole, window.clipped) << "whole triangles at the rim are too much";
+    if (cells == 8) {
+      EXPECT_GT(window.whole, 1.2 * disk) << "triangles of 50 mm";
+    }
+  }
+}
+
+TEST(Gaps, ANearSourceSeesTheOrgansShadowOnTheSkin) {
+  // From a point at height h above the face, a ball of radius r at depth d is seen through a circle of the plane of
+  // the face with the radius h tan(asin(r / (h + d))).
+  const Shelled body(cube(half, 20), shellWith(0.202, {hole}));
+  PointSource point;
+  point.position = {0, 0, 1.2};
+  point.sampler = Sampler::cone;
+  point.halfAngle = 0.25;
+  const double height = 1.0;
+  const double radius = height * std::tan(std::asin(0.1 / (height + half)));
+  const double disk = std::numbers::pi * radius * radius;
+  EXPECT_NEAR(body.organWindow({"near", point}, 400000).clipped, disk, 0.015 * disk);
+}
+
+TEST(Gaps, EntriesHoldEveryShotThatEntersTheSkin) {
+  const Shelled body = cubeWithHoles({hole});
+  for (const auto& [source, shots, oneWay] : everyKindOfSource()) {
+    const auto [entries, counts] = body.entries(source, 20000);
+    for (std::size_t t = 0; t < entries.size(); ++t) {
+      EXPECT_EQ(entries[t], counts[0].skin.hits[t]) << "a convex body is entered once";
+      EXPECT_LE(counts[1].skin.hits[t], entries[t]);
+    }
+  }
 }
 
 TEST(Gaps, CountsAddUpToThoseOfTheRun) {

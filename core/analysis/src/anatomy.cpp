@@ -85,6 +85,8 @@ Mat3d turnOf(std::span<const Vec3f> rest, std::span<const Vec3f> posed) {
   return Eigen::umeyama(from, to, false).topLeftCorner<3, 3>();
 }
 
+constexpr std::array percentiles{0.05, 0.5, 0.95};
+
 /// Type 7 of R. J. Hyndman and Y. Fan, "Sample quantiles in statistical packages" (1996). \param sorted rising
 std::optional<double> quantile(const std::vector<double>& sorted, double probability) {
   if (sorted.empty()) {
@@ -94,11 +96,6 @@ std::optional<double> quantile(const std::vector<double>& sorted, double probabi
   const auto below = static_cast<std::size_t>(place);
   const double part = place - static_cast<double>(below);
   return part == 0.0 ? sorted[below] : sorted[below] + part * (sorted[below + 1] - sorted[below]);
-}
-
-const char* nameOf(OrganJitter::Basis basis) {
-  constexpr std::array<const char*, 4> names{"none", "unverified", "verified", "given"};
-  return names.at(static_cast<std::size_t>(basis));
 }
 
 /// Whether a row of the summary depends on where organs lie.
@@ -176,6 +173,11 @@ void addDraw(const LoadedStudy& study, const RunResult& part, std::span<AnatomyR
 }
 
 }  // namespace
+
+const char* nameOf(OrganJitter::Basis basis) {
+  constexpr std::array<const char*, 4> names{"none", "unverified", "verified", "given"};
+  return names.at(static_cast<std::size_t>(basis));
+}
 
 const std::vector<PublishedRange>& publishedRanges() {
   static const std::vector<PublishedRange> ranges = readRanges();
@@ -309,11 +311,8 @@ AnatomyResult overAnatomies(const LoadedStudy& study, const RunResult& run, base
   return result;
 }
 
-std::string anatomyCsv(const LoadedStudy& study, const RunResult& run, const AnatomyResult& result) {
-  std::string text =
-      "source,system,model,pose,structure,kind,class,displacement,sd_left_mm,sd_up_mm,sd_forward_mm,draws,held_back,"
-      "draws_hit,coverage,coverage_lo,coverage_hi,coverage_p05,coverage_p50,coverage_p95,pct_of_shots,"
-      "pct_of_shots_p05,pct_of_shots_p50,pct_of_shots_p95,shots,any_hit,protected_hit\n";
+std::vector<AnatomyRecord> anatomyRecords(const LoadedStudy& study, const RunResult& run, const AnatomyResult& result) {
+  std::vector<AnatomyRecord> records;
   std::vector<ResultRow> counted;
   std::tuple<std::size_t, std::size_t> at{SIZE_MAX, SIZE_MAX};
   for (const AnatomyRow& row : result.rows) {
@@ -322,33 +321,54 @@ std::string anatomyCsv(const LoadedStudy& study, const RunResult& run, const Ana
       const SourcePoseResult& here = run.results[row.source * run.poses.size() + row.pose];
       counted = summaryRows(study, partOf(run, here, here.trials));
     }
-    const ResultRow& here = counted[row.row];
-    std::vector<std::string> fields{here.source,    here.system, here.model,      here.pose,
-                                    here.structure, here.kind,   here.injuryClass};
+    AnatomyRecord record{counted[row.row]};
     const auto jitter = std::find_if(result.jitter.begin(), result.jitter.end(), [&](const OrganJitter& candidate) {
-      return here.kind == "organ" && candidate.organ == here.structure;
+      return record.run.kind == "organ" && candidate.organ == record.run.structure;
     });
     if (jitter != result.jitter.end()) {
-      fields.emplace_back(nameOf(jitter->basis));
-      for (const double deviation : jitter->deviation()) {
+      record.jitter = *jitter;
+    }
+    record.heldBack = row.heldBack;
+    record.drawsHit = row.coverage.size();
+    for (std::size_t p = 0; p < percentiles.size(); ++p) {
+      record.coverage[p] = quantile(row.coverage, percentiles[p]);
+      record.percentOfShots[p] = quantile(row.percentOfShots, percentiles[p]);
+    }
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+std::string anatomyCsv(const LoadedStudy& study, const RunResult& run, const AnatomyResult& result) {
+  std::string text =
+      "source,system,model,pose,structure,kind,class,displacement,sd_left_mm,sd_up_mm,sd_forward_mm,draws,held_back,"
+      "draws_hit,coverage,coverage_lo,coverage_hi,coverage_p05,coverage_p50,coverage_p95,pct_of_shots,"
+      "pct_of_shots_p05,pct_of_shots_p50,pct_of_shots_p95,shots,any_hit,protected_hit\n";
+  for (const AnatomyRecord& record : anatomyRecords(study, run, result)) {
+    const ResultRow& here = record.run;
+    std::vector<std::string> fields{here.source,    here.system, here.model,      here.pose,
+                                    here.structure, here.kind,   here.injuryClass};
+    if (record.jitter) {
+      fields.emplace_back(nameOf(record.jitter->basis));
+      for (const double deviation : record.jitter->deviation()) {
         fields.push_back(fmt::format("{:.1f}", 1000.0 * deviation));
       }
     } else {
       fields.insert(fields.end(), 4, "");
     }
     fields.push_back(std::to_string(result.draws));
-    fields.push_back(jitter != result.jitter.end() ? std::to_string(row.heldBack) : "");
-    fields.push_back(std::to_string(row.coverage.size()));
+    fields.push_back(record.jitter ? std::to_string(record.heldBack) : "");
+    fields.push_back(std::to_string(record.drawsHit));
     const auto interval = here.coverageInterval();
     fields.push_back(io::csvNumber(here.coverage()));
     fields.push_back(interval ? io::csvNumber(interval->low) : "");
     fields.push_back(interval ? io::csvNumber(interval->high) : "");
-    for (const double probability : {0.05, 0.5, 0.95}) {
-      fields.push_back(io::csvNumber(quantile(row.coverage, probability)));
+    for (const std::optional<double>& coverage : record.coverage) {
+      fields.push_back(io::csvNumber(coverage));
     }
     fields.push_back(io::csvNumber(here.percentOfShots()));
-    for (const double probability : {0.05, 0.5, 0.95}) {
-      fields.push_back(io::csvNumber(quantile(row.percentOfShots, probability)));
+    for (const std::optional<double>& percent : record.percentOfShots) {
+      fields.push_back(io::csvNumber(percent));
     }
     for (const std::uint64_t count : {here.shots, here.count.any, here.count.shielded}) {
       fields.push_back(std::to_string(count));

@@ -62,6 +62,7 @@ struct Block {
   const PosedScene& scene;
   const Watch& watch;
   const std::vector<shotline::GapCounts>& counts;
+  const std::vector<std::uint64_t>& entries;
   std::size_t source;
   std::size_t pose;
 };
@@ -86,7 +87,7 @@ void forEachBlock(const LoadedStudy& study, const RunResult& result, base::Threa
                                              (step + (trial + 1) / trials) / static_cast<double>(steps)),
                                counter);
       }
-      use({study, result, scene, watch, counter.counts(), s, p});
+      use({study, result, scene, watch, counter.counts(), counter.entries(), s, p});
     }
   }
 }
@@ -158,6 +159,12 @@ Vec3d meanTowards(const shotline::OpenPatch& patch, std::span<const std::int64_t
   return Vec3d(static_cast<double>(total[0]), static_cast<double>(total[1]), static_cast<double>(total[2])) / scale;
 }
 
+/// Whether the shots of a source pass a place in one direction only.
+bool isOneWay(const shotline::Source& source) {
+  return std::holds_alternative<shotline::PointSource>(source.shape) ||
+         std::holds_alternative<shotline::ParallelBeam>(source.shape);
+}
+
 void appendGaps(const Block& block, std::vector<Gap>& gaps) {
   const study::GapSettings& wanted = *block.study.study.analyses.gaps;
   const shotline::PatchRule rule{wanted.openShare, wanted.minShots, wanted.radius};
@@ -174,8 +181,11 @@ void appendGaps(const Block& block, std::vector<Gap>& gaps) {
         shotline::OpenPatch rest;  // what enters no patch
         rest.hits = std::accumulate(counts.skin.hits.begin(), counts.skin.hits.end(), std::uint64_t{0});
         rest.open = gap.openShots;
+        const bool partly = block.watch.structures[block.watch.countsOf[i][model]].organ.has_value() &&
+                            isOneWay(block.result.sources[block.source].source);
+        const auto through = partly ? std::span(block.entries) : std::span<const std::uint64_t>();
         for (shotline::OpenPatch& patch : shotline::openPatches(
-                 *block.study.body->skinTopology(), block.scene.body().skin, counts.skin.hits, open, rule)) {
+                 *block.study.body->skinTopology(), block.scene.body().skin, counts.skin.hits, open, rule, through)) {
           ++gap.number;
           gap.region = regionOf(block.study, patch, open);
           gap.towards = meanTowards(patch, sums);
@@ -334,15 +344,22 @@ std::vector<Gap> findGaps(const LoadedStudy& study, const RunResult& result, bas
   return gaps;
 }
 
+GapBearing bearingOf(const Gap& gap) {
+  const double resultant = std::min(1.0, gap.towards.norm());
+  const Vec3d towards = gap.towards / (resultant > 0.0 ? resultant : 1.0);
+  const double azimuth = base::degrees(std::atan2(towards.x(), towards.z()));
+  // What would be written as -0.0 or 360.0 is 0.
+  return {azimuth < -0.05 ? azimuth + 360.0 : std::max(azimuth, 0.0),
+          base::degrees(std::asin(std::clamp(towards.y(), -1.0, 1.0))),
+          base::degrees(std::sqrt(2.0 * (1.0 - resultant)))};
+}
+
 std::string gapsCsv(const RunResult& result, const std::vector<Gap>& gaps) {
   std::string text =
       "source,system,model,pose,structure,patch,region,area_cm2,extent_cm2,centre_x_m,centre_y_m,centre_z_m,"
       "azimuth_deg,elevation_deg,spread_deg,any_hit,unprotected_hit,unprotected_share,pct_of_unprotected,neighbours\n";
   for (const Gap& gap : gaps) {
-    const double resultant = std::min(1.0, gap.towards.norm());
-    const Vec3d towards = gap.towards / (resultant > 0.0 ? resultant : 1.0);
-    const double azimuth = base::degrees(std::atan2(towards.x(), towards.z()));
-    const double elevation = base::degrees(std::asin(std::clamp(towards.y(), -1.0, 1.0)));
+    const GapBearing bearing = bearingOf(gap);
     std::string neighbours;
     for (const Gap::Neighbour& neighbour : gap.neighbours) {
       neighbours += fmt::format("{}{} ({} mm)", neighbours.empty() ? "" : "; ", neighbour.piece,
@@ -363,9 +380,9 @@ std::string gapsCsv(const RunResult& result, const std::vector<Gap>& gaps) {
                                   ofPatch(io::csvNumber(gap.patch.centre.x())),
                                   ofPatch(io::csvNumber(gap.patch.centre.y())),
                                   ofPatch(io::csvNumber(gap.patch.centre.z())),
-                                  ofPatch(tenths(azimuth < -0.05 ? azimuth + 360.0 : std::max(azimuth, 0.0))),
-                                  ofPatch(tenths(elevation)),
-                                  ofPatch(tenths(base::degrees(std::sqrt(2.0 * (1.0 - resultant))))),
+                                  ofPatch(tenths(bearing.azimuth)),
+                                  ofPatch(tenths(bearing.elevation)),
+                                  ofPatch(tenths(bearing.spread)),
                                   std::to_string(gap.patch.hits),
                                   std::to_string(gap.patch.open),
                                   io::csvNumber(open / static_cast<double>(gap.patch.hits)),

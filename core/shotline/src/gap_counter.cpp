@@ -26,6 +26,7 @@ GapCounter::GapCounter(const raycast::Scene& scene, const TargetLayout& layout,
     : skin_(&scene.topology(raycast::MeshIndex{0})),
       layout_(&layout),
       counts_(std::make_shared<std::vector<GapCounts>>()),
+      entries_(std::make_shared<std::vector<std::uint64_t>>(skin_->triangles.size())),
       watchedOfMesh_(layout.meshes(), none),
       seen_(watched.size(), 0),
       armored_(layout.systems, 0) {
@@ -69,6 +70,7 @@ void GapCounter::see(std::uint64_t /*shot*/, const raycast::Ray& ray, std::span<
       winding += closedSkin(hit) ? hit.sign() : 0;
       if (!closedSkin(hit) || before == 0) {
         crossing.skinTriangle = hit.triangle;
+        addShared<std::uint64_t>((*entries_)[hit.triangle], 1);
       }
       if (watched != none && seen_[watched] == 0) {
         seen_[watched] = 1;

@@ -24,6 +24,7 @@ constexpr double rimOffset = 0.4244;
 struct Pool {
   std::uint64_t hits = 0;
   std::uint64_t open = 0;
+  std::uint64_t through = 0;
   double area = 0.0;
   double radius = 0.0;           ///< of the farthest middle
   Vec3d offset = Vec3d::Zero();  ///< sum over the shots, from the seed's middle
@@ -33,8 +34,8 @@ struct Pool {
 class Surface {
  public:
   Surface(const raycast::MeshTopology& mesh, std::span<const Vec3f> positions, std::span<const std::uint64_t> hits,
-          std::span<const std::uint64_t> open)
-      : mesh_(mesh), hits_(hits), open_(open), visited_(mesh.triangles.size(), 0) {
+          std::span<const std::uint64_t> open, std::span<const std::uint64_t> through)
+      : mesh_(mesh), hits_(hits), open_(open), through_(through), visited_(mesh.triangles.size(), 0) {
     for (const geometry::Triangle& corners : mesh.triangles) {
       const Vec3d a = positions[corners[0]].cast<double>();
       const Vec3d b = positions[corners[1]].cast<double>();
@@ -49,6 +50,7 @@ class Surface {
   const Vec3d& middle(std::uint32_t t) const { return middles_[t]; }
   std::uint64_t hits(std::uint32_t t) const { return hits_[t]; }
   std::uint64_t open(std::uint32_t t) const { return open_[t]; }
+  std::uint64_t through(std::uint32_t t) const { return through_[t]; }
 
   /// Calls `use` for every triangle that has a corner in common with `t`, itself among them.
   template <class Use>
@@ -65,6 +67,7 @@ class Surface {
     Pool made;
     made.hits = hits_[seed];
     made.open = open_[seed];
+    made.through = through_[seed];
     made.area = areas_[seed];
     ++stamp_;
     visited_[seed] = stamp_;
@@ -82,6 +85,7 @@ class Surface {
             made.offset += static_cast<double>(hits_[near]) * offset;
             made.hits += hits_[near];
             made.open += open_[near];
+            made.through += through_[near];
             made.area += areas_[near];
           }
         });
@@ -95,6 +99,7 @@ class Surface {
   const raycast::MeshTopology& mesh_;
   std::span<const std::uint64_t> hits_;
   std::span<const std::uint64_t> open_;
+  std::span<const std::uint64_t> through_;
   std::vector<Vec3d> middles_;
   std::vector<double> areas_;
   std::vector<std::uint32_t> visited_;  ///< the last walk that came by
@@ -131,9 +136,9 @@ std::vector<std::optional<double>> openShares(Surface& surface, const PatchRule&
       continue;
     }
     if (surface.hits(t) > 0) {
-      shares[t] = static_cast<double>(surface.open(t)) / static_cast<double>(surface.hits(t));
-    } else if (missedByChance(*pool, surface.area(t))) {
-      shares[t] = static_cast<double>(pool->open) / static_cast<double>(pool->hits);
+      shares[t] = static_cast<double>(surface.open(t)) / static_cast<double>(surface.through(t));
+    } else if (surface.through(t) == 0 && missedByChance(*pool, surface.area(t))) {
+      shares[t] = static_cast<double>(pool->open) / static_cast<double>(pool->through);
     }
   }
   return shares;
@@ -160,11 +165,12 @@ OpenPatch measure(const Surface& surface, std::vector<std::uint32_t> triangles,
 
 std::vector<OpenPatch> openPatches(const raycast::MeshTopology& mesh, std::span<const Vec3f> positions,
                                    std::span<const std::uint64_t> hits, std::span<const std::uint64_t> open,
-                                   const PatchRule& rule) {
+                                   const PatchRule& rule, std::span<const std::uint64_t> through) {
+  LORICA_CHECK(through.empty() || through.size() == hits.size(), "a count of all shots per triangle, or none");
   LORICA_CHECK(positions.size() == mesh.vertices && hits.size() == mesh.triangles.size() &&
                    open.size() == mesh.triangles.size() && rule.minShots > 0,
                "a position per vertex and counts per triangle");
-  Surface surface(mesh, positions, hits, open);
+  Surface surface(mesh, positions, hits, open, through.empty() ? hits : through);
   const std::vector<std::optional<double>> shares = openShares(surface, rule);
   std::vector<OpenPatch> patches;
   std::vector<bool> taken(surface.size(), false);

@@ -48,7 +48,7 @@ TEST_F(AuditTableTest, ShowsTheNumbersInTheirUnits) {
   ASSERT_EQ(table_.rowCount(), 8);
   const int liver = row(1, 1, 0);
   EXPECT_EQ(at(liver, 0), "liver");
-  EXPECT_EQ(at(liver, 1), "dynamic");
+  EXPECT_EQ(at(liver, 1), "Dynamic");
   EXPECT_EQ(at(liver, 2), "turn");
   EXPECT_EQ(at(liver, columnOf(Measure::volume)), "-3.00");
   EXPECT_EQ(at(liver, columnOf(Measure::outside)), "1.00");

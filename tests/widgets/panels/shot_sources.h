@@ -32,7 +32,10 @@ inline study::Study studyWithEverySource() {
     "stop": {"structures": ["heart", "liver"], "half_width": 0.0123, "max_trials": 40},
     "overlap": {"policy": "priority", "order": ["heart", "liver"]},
     "analyses": {"compare": true, "convergence": true, "directions": {"step_deg": 45, "shots": 500},
-                 "motion": {"clip": "toe_touch", "every": 7, "frames_per_second": 24.5}}})";
+                 "motion": {"clip": "toe_touch", "every": 7, "frames_per_second": 24.5},
+                 "gaps": {"structures": ["body", "liver"], "open_share": 0.2, "min_shots": 30, "radius_mm": 12.5,
+                          "maps": false},
+                 "anatomy": {"draws": 7, "scale": 0.75, "verified_only": true, "sd_mm": {"liver": [1, 2, 3]}}}})";
   const study::Study asked = study::parseStudy(text, "every source");
   study.sources = asked.sources;
   study.stop = asked.stop;

@@ -338,8 +338,9 @@ TEST_F(Form, TheAnalysesAreEdited) {
   EXPECT_EQ(analyses.motion, (study::MotionSettings{"belly_twist", 2, 50.0}));
   EXPECT_FALSE(analyses.compare || analyses.convergence);
   EXPECT_EQ(study::parseStudy(text(), "s"), document_.study());
-  editor<QCheckBox>("directions")->setChecked(false);
-  editor<QCheckBox>("motion")->setChecked(false);
+  for (const char* box : {"directions", "motion", "gaps", "anatomy"}) {
+    editor<QCheckBox>(box)->setChecked(false);
+  }
   EXPECT_EQ(analyses, study::Analyses());
   EXPECT_FALSE(isShown("motion_clip"));
   editor<QCheckBox>("directions")->setChecked(true);
@@ -349,6 +350,76 @@ TEST_F(Form, TheAnalysesAreEdited) {
     document_.undoStack().undo();
   }
   EXPECT_EQ(text(), before);
+}
+
+TEST_F(Form, TheSearchForGapsIsEdited) {
+  const std::string before = text();
+  auto* list = editor<QListWidget>("gap_structures");
+  EXPECT_EQ(list->item(0)->text(), "body") << "the skin is offered first";
+  EXPECT_EQ(list->item(0)->checkState(), Qt::Checked);
+  EXPECT_EQ(editor<QDoubleSpinBox>("gap_share")->value(), 20.0);
+  EXPECT_EQ(editor<QDoubleSpinBox>("gap_radius")->value(), 12.5);
+  list->item(0)->setCheckState(Qt::Unchecked);
+  put("gap_share", 35);
+  put("gap_shots", 50);
+  put("gap_radius", 20);
+  editor<QCheckBox>("gap_maps")->setChecked(true);
+  const study::Analyses& analyses = document_.study().analyses;
+  EXPECT_EQ(analyses.gaps, (study::GapSettings{{"liver"}, 0.35, 50, 0.02, true}));
+  EXPECT_EQ(study::parseStudy(text(), "s"), document_.study());
+  const auto liver = list->findItems("liver", Qt::MatchExactly);
+  ASSERT_EQ(liver.size(), 1);
+  EXPECT_FALSE(liver.front()->flags().testFlag(Qt::ItemIsEnabled)) << "one must stay";
+  editor<QCheckBox>("gaps")->setChecked(false);
+  EXPECT_FALSE(analyses.gaps);
+  EXPECT_FALSE(isShown("gap_structures"));
+  editor<QCheckBox>("gaps")->setChecked(true);
+  ASSERT_TRUE(analyses.gaps);
+  EXPECT_FALSE(analyses.gaps->structures.empty());
+  while (document_.undoStack().canUndo()) {
+    document_.undoStack().undo();
+  }
+  EXPECT_EQ(text(), before);
+}
+
+TEST_F(Form, ThePlacesOfOrgansAreEditedAndWhatOnlyTheFileSaysStays) {
+  put("anatomy_draws", 20);
+  put("anatomy_scale", 1.5);
+  editor<QCheckBox>("anatomy_verified")->setChecked(false);
+  const auto& anatomy = document_.study().analyses.anatomy;
+  ASSERT_TRUE(anatomy);
+  EXPECT_EQ(anatomy->draws, 20U);
+  EXPECT_EQ(anatomy->scale, 1.5);
+  EXPECT_FALSE(anatomy->verifiedOnly);
+  ASSERT_EQ(anatomy->deviations.size(), 1U);
+  EXPECT_EQ(anatomy->deviations[0].organ, "liver");
+  EXPECT_TRUE(isShown("anatomy_given"));
+  EXPECT_EQ(study::parseStudy(text(), "s"), document_.study());
+}
+
+TEST_F(Form, GapsNeedArmorAndTheBoxSaysSo) {
+  study::Study bare = document_.study();
+  bare.systems.clear();
+  bare.analyses.gaps.reset();
+  document_.setStudy(bare, (folder_.path() + "/bare.lorica.json").toStdString());
+  form_.refresh();
+  EXPECT_FALSE(editor<QCheckBox>("gaps")->isEnabled());
+  EXPECT_TRUE(editor<QCheckBox>("gaps")->toolTip().contains("no armor"));
+}
+
+TEST_F(Form, AnalysesFollowTheNamesOfOrgansAndForgetWhatIsGone) {
+  commands::renameItem(document_, {document::ItemKind::organ, "liver"}, "hepar");
+  const study::Analyses& analyses = document_.study().analyses;
+  EXPECT_EQ(analyses.gaps->structures, (std::vector<std::string>{"body", "hepar"}));
+  EXPECT_EQ(analyses.anatomy->deviations[0].organ, "hepar");
+  commands::removeItem(document_, {document::ItemKind::organ, "hepar"});
+  EXPECT_EQ(analyses.gaps->structures, (std::vector<std::string>{"body"}));
+  EXPECT_TRUE(analyses.anatomy->deviations.empty());
+  document_.undoStack().undo();
+  document_.undoStack().undo();
+  editor<QListWidget>("gap_structures")->item(0)->setCheckState(Qt::Unchecked);
+  commands::removeItem(document_, {document::ItemKind::organ, "liver"});
+  EXPECT_FALSE(analyses.gaps) << "nothing is left to protect";
 }
 
 TEST_F(Form, TheOrderOfOverlapsIsEdited) {

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QLineSeries>
 #include <QPushButton>
+#include <QTableView>
 #include <QTest>
 #include <cmath>
 
@@ -122,6 +123,113 @@ TEST_F(Survey, LinesHaveAPointForEachFrameThatHits) {
       EXPECT_EQ(points.front().y(), 0.0);
     }
   }
+}
+
+/// A run of the sample whose study asks for gaps and for draws of where organs lie.
+std::shared_ptr<const document::RunRecord> recordOfGaps() {
+  auto study = std::make_shared<analysis::LoadedStudy>(*testsupport::loadedSample());
+  study->study.analyses.gaps = study::GapSettings{{"body", "liver"}, 0.1, 5, 0.05, false};
+  study->study.analyses.anatomy = study::AnatomySettings{3, 1.0, false, {}};
+  auto made = std::make_shared<document::RunRecord>();
+  made->name = "Run 1";
+  made->result = testsupport::sampleResult();
+  made->study = std::move(study);
+  return made;
+}
+
+class Tables : public Survey {
+ protected:
+  Tables() { run_ = recordOfGaps(); }
+  QString at(int row, const char* title) const {
+    const QAbstractItemModel& table = *panel_.table().model();
+    for (int column = 0; column < table.columnCount(); ++column) {
+      if (table.headerData(column, Qt::Horizontal).toString() == QLatin1String(title)) {
+        return table.index(row, column).data().toString();
+      }
+    }
+    ADD_FAILURE() << title;
+    return {};
+  }
+  /// Lines of a file whose fields are these, without its first line.
+  static QStringList linesWith(const std::string& csv, const std::string& system, const std::string& model) {
+    QStringList lines;
+    for (const QString& line : QString::fromStdString(csv).split(u'\n')) {
+      const QStringList fields = line.split(u',');
+      if (fields.size() > 3 && fields[1].toStdString() == system && fields[2].toStdString() == model) {
+        lines.append(line);
+      }
+    }
+    return lines;
+  }
+};
+
+TEST_F(Tables, GapsAreThoseOfGapsCsvUnderTheChosenSystemAndModel) {
+  compute();
+  choose("survey_what", gapsInArmor);
+  choose("survey_system", "plate_carrier");
+  choose("survey_model", "static_joint");
+  const std::string file =
+      analysis::gapsCsv(run_->result, analysis::findGaps(*run_->study, run_->result, base::Threads{}));
+  const QStringList lines = linesWith(file, "plate_carrier", "static_joint");
+  ASSERT_GT(lines.size(), 2);
+  ASSERT_EQ(panel_.table().model()->rowCount(), lines.size());
+  for (int row = 0; row < lines.size(); ++row) {
+    const QStringList fields = lines[row].split(u',');
+    EXPECT_EQ(at(row, "Pose"), fields[3]);
+    EXPECT_EQ(at(row, "To protect"), fields[4]);
+    EXPECT_EQ(at(row, "Unprotected shots").remove(u','), fields[16]);
+    EXPECT_EQ(at(row, "Gap"), fields[5] == "0" ? QString("elsewhere") : fields[5]);
+    if (fields[5] != "0") {
+      EXPECT_NEAR(at(row, "Area cm²").toDouble(), fields[7].toDouble(), 0.0501);
+      EXPECT_EQ(at(row, "Azimuth °"), fields[12]);
+      EXPECT_EQ(at(row, "Elevation °"), fields[13]);
+    }
+  }
+  const QStringList copied = QString::fromUtf8(panel_.csv()).split(u'\n', Qt::SkipEmptyParts);
+  EXPECT_EQ(copied.mid(1), lines) << "what is copied is the file's rows";
+}
+
+TEST_F(Tables, AGapThatIsChosenIsTheRowsPatchOfTheSkin) {
+  compute();
+  choose("survey_what", gapsInArmor);
+  std::shared_ptr<const jobs::SkinPatch> picked;
+  QObject::connect(&panel_, &SurveyPanel::patchPicked, &panel_, [&](const auto& patch) { picked = patch; });
+  const auto gaps = analysis::findGaps(*run_->study, run_->result, base::Threads{});
+  panel_.table().sortByColumn(7, Qt::DescendingOrder);
+  panel_.table().selectRow(0);
+  ASSERT_NE(picked, nullptr) << "the largest is no row of what is elsewhere";
+  EXPECT_EQ(picked->body, run_->study->body);
+  const bool known = std::any_of(gaps.begin(), gaps.end(), [&](const analysis::Gap& gap) {
+    return gap.patch.triangles == picked->triangles && run_->result.poses[gap.pose] == picked->pose &&
+           run_->result.systems[gap.system] == "full_torso" && gap.structure == at(0, "To protect").toStdString();
+  });
+  EXPECT_TRUE(known);
+  choose("survey_what", placesOfOrgans);
+  EXPECT_EQ(picked, nullptr) << "no gap is shown any more";
+}
+
+TEST_F(Tables, PlacesOfOrgansAreThoseOfAnatomyCsv) {
+  compute();
+  choose("survey_what", placesOfOrgans);
+  choose("survey_system", "full_torso");
+  choose("survey_model", "dynamic");
+  const std::string file = analysis::anatomyCsv(*run_->study, run_->result,
+                                                analysis::overAnatomies(*run_->study, run_->result, base::Threads{}));
+  const QStringList lines = linesWith(file, "full_torso", "dynamic");
+  ASSERT_GT(lines.size(), 5);
+  ASSERT_EQ(panel_.table().model()->rowCount(), lines.size());
+  for (int row = 0; row < lines.size(); ++row) {
+    const QStringList fields = lines[row].split(u',');
+    EXPECT_EQ(at(row, "Structure"), fields[4]);
+    EXPECT_EQ(at(row, "Draws that hit"), fields[13]);
+    if (!fields[14].isEmpty()) {
+      EXPECT_NEAR(at(row, "Coverage %").toDouble(), 100.0 * fields[14].toDouble(), 0.0501);
+    }
+    if (fields[13] != "0") {
+      EXPECT_NEAR(at(row, "Median %").toDouble(), 100.0 * fields[18].toDouble(), 0.0501);
+    }
+  }
+  EXPECT_EQ(QString::fromUtf8(panel_.csv()).split(u'\n', Qt::SkipEmptyParts).mid(1), lines);
 }
 
 TEST(MapColour, GrowsLighterAllTheWay) {

@@ -252,6 +252,28 @@ std::vector<FieldTrouble> analysesTroubles(const study::Analyses& analyses) {
       troubles.push_back({"motion_rate", Text::tr("A second has more than 0 and at most 1000 frames.")});
     }
   }
+  if (const auto& gaps = analyses.gaps) {
+    if (gaps->structures.empty()) {
+      troubles.push_back({"gap_structures", Text::tr("Gaps are looked for before one structure at least.")});
+    }
+    if (!(gaps->openShare >= 0.0 && gaps->openShare <= 0.95)) {
+      troubles.push_back({"gap_share", Text::tr("A share is from 0 to 95 %.")});
+    }
+    if (gaps->minShots < 1 || gaps->minShots > 1'000'000) {
+      troubles.push_back({"gap_shots", Text::tr("A place needs 1 to 1,000,000 shots.")});
+    }
+    if (!(gaps->radius >= 0.0 && gaps->radius <= 1.0)) {
+      troubles.push_back({"gap_radius", Text::tr("A radius is from 0 to 1000 mm.")});
+    }
+  }
+  if (const auto& anatomy = analyses.anatomy) {
+    if (anatomy->draws < 2 || anatomy->draws > 100'000) {
+      troubles.push_back({"anatomy_draws", Text::tr("Organs are moved 2 to 100,000 times.")});
+    }
+    if (!(anatomy->scale >= 0.0 && anatomy->scale <= 10.0)) {
+      troubles.push_back({"anatomy_scale", Text::tr("A factor is from 0 to 10.")});
+    }
+  }
   return troubles;
 }
 

@@ -149,7 +149,20 @@ bool isWellFormed(const study::Pose& pose) {
          });
 }
 
-/// Sources, the rule for stopping and the order of overlaps forget structures that are gone.
+/// Names in a list forget one that is gone. \return whether it was the last
+bool forget(std::vector<std::string>& names, const std::string& gone) {
+  return std::erase(names, gone) > 0 && names.empty();
+}
+
+/// A new name in a list, where it stands once.
+void renameIn(std::vector<std::string>& names, const std::string& before, const std::string& name) {
+  if (name != before && std::find(names.begin(), names.end(), before) != names.end()) {
+    std::erase(names, name);
+  }
+  std::replace(names.begin(), names.end(), before, name);
+}
+
+/// Sources, the rule for stopping, the order of overlaps and analyses forget structures that are gone.
 void forgetStructures(const study::Study& before, study::Study& after) {
   const std::vector<std::string> drawnBefore = document::drawnStructures(before);
   const std::vector<std::string> drawn = document::drawnStructures(after);
@@ -162,8 +175,14 @@ void forgetStructures(const study::Study& before, study::Study& after) {
       source.targetStructure = source.targetStructure == gone ? std::string() : source.targetStructure;
     }
     std::erase(after.overlap.order, gone);
-    if (after.stop && std::erase(after.stop->structures, gone) > 0 && after.stop->structures.empty()) {
+    if (after.stop && forget(after.stop->structures, gone)) {
       after.stop.reset();
+    }
+    if (after.analyses.gaps && forget(after.analyses.gaps->structures, gone)) {
+      after.analyses.gaps.reset();
+    }
+    if (after.analyses.anatomy) {
+      std::erase_if(after.analyses.anatomy->deviations, [&](const auto& given) { return given.organ == gone; });
     }
   }
 }
@@ -183,11 +202,22 @@ void renameStructure(const std::string& before, const std::string& name, study::
   }
   std::replace(study.overlap.order.begin(), study.overlap.order.end(), before, name);
   if (study.stop) {
-    if (name != before && std::find(study.stop->structures.begin(), study.stop->structures.end(), before) !=
-                              study.stop->structures.end()) {
-      std::erase(study.stop->structures, name);
+    renameIn(study.stop->structures, before, name);
+  }
+  if (study.analyses.gaps) {
+    renameIn(study.analyses.gaps->structures, before, name);
+  }
+  if (study.analyses.anatomy) {
+    auto& deviations = study.analyses.anatomy->deviations;
+    const auto isOf = [](const std::string& organ) {
+      return [&organ](const study::AnatomySettings::Deviation& given) { return given.organ == organ; };
+    };
+    if (name != before && std::any_of(deviations.begin(), deviations.end(), isOf(before))) {
+      std::erase_if(deviations, isOf(name));
     }
-    std::replace(study.stop->structures.begin(), study.stop->structures.end(), before, name);
+    for (study::AnatomySettings::Deviation& given : deviations) {
+      given.organ = given.organ == before ? name : given.organ;
+    }
   }
 }
 

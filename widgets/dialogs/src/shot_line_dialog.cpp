@@ -12,6 +12,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScopedValueRollback>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QToolButton>
@@ -174,7 +175,16 @@ QWidget* ShotLineDialog::makeRunSide() {
   auto* column = new QVBoxLayout(page);
   column->addWidget(analysesForm_);
   column->addStretch(1);
-  tabs->addTab(page, tr("Analyses"));
+  // With all of it asked for, it is taller than a small screen.
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(page);
+  // The tab's own background, not that of a view.
+  scroll->viewport()->setAutoFillBackground(false);
+  page->setAutoFillBackground(false);
+  tabs->addTab(scroll, tr("Analyses"));
   return tabs;
 }
 

@@ -1,5 +1,9 @@
 #include "lorica/jobs/run_survey.h"
 
+#include <algorithm>
+#include <array>
+#include <numeric>
+
 #include "lorica/analysis/directions.h"
 
 namespace lorica::jobs {
@@ -22,17 +26,31 @@ analysis::RunResult single(const analysis::RunResult& of, const analysis::ShotSo
 
 bool asksForSurvey(const document::RunRecord& run) {
   const study::Analyses& asked = run.study->study.analyses;
-  return asked.directions || asked.motion;
+  return asked.directions || asked.motion || asked.gaps || asked.anatomy;
 }
 
 RunSurvey surveyOf(const std::shared_ptr<const document::RunRecord>& run, const base::Progress& progress) {
   const analysis::LoadedStudy& study = *run->study;
   const study::Analyses& asked = study.study.analyses;
-  const double middle = !asked.motion ? 1.0 : asked.directions ? 0.5 : 0.0;
+  // Each part has the share of the time that it seems to take: gaps are the run once more, draws are many runs.
+  const std::array<double, 4> weights{asked.gaps ? 1.0 : 0.0, asked.anatomy ? 0.5 * asked.anatomy->draws : 0.0,
+                                      asked.directions ? 5.0 : 0.0, asked.motion ? 5.0 : 0.0};
+  const double whole = std::max(1.0, std::accumulate(weights.begin(), weights.end(), 0.0));
+  std::array<base::Progress, 4> parts;
+  for (double done = 0.0; const std::size_t p : {0U, 1U, 2U, 3U}) {
+    parts[p] = progress.part(done / whole, (done + weights[p]) / whole);
+    done += weights[p];
+  }
   RunSurvey survey;
   survey.run = run;
+  if (asked.gaps) {
+    survey.gaps = analysis::findGaps(study, run->result, {}, parts[0]);
+  }
+  if (asked.anatomy) {
+    survey.anatomy = analysis::overAnatomies(study, run->result, {}, parts[1]);
+  }
   if (asked.directions) {
-    for (auto& here : analysis::byDirection(study, run->result, {}, progress.part(0.0, middle))) {
+    for (auto& here : analysis::byDirection(study, run->result, {}, parts[2])) {
       analysis::ShotSource source;
       source.source.shape = shotline::ParallelBeam{};
       survey.directions.push_back(
@@ -41,7 +59,7 @@ RunSurvey surveyOf(const std::shared_ptr<const document::RunRecord>& run, const 
     }
   }
   if (asked.motion) {
-    const analysis::MotionResult motion = analysis::overMotion(study, {}, progress.part(middle, 1.0));
+    const analysis::MotionResult motion = analysis::overMotion(study, {}, parts[3]);
     for (const analysis::FrameResult& here : motion.frames) {
       survey.frames.push_back(
           {here.seconds, analysis::summaryRows(study, single(motion.plan, motion.plan.sources[here.source],

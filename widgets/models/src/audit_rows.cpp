@@ -7,6 +7,8 @@
 
 #include "lorica/models/audit_table.h"
 
+#include "lorica/models/model_texts.h"
+
 namespace lorica::models {
 
 namespace {
@@ -175,8 +177,7 @@ AuditTableData organTable(const DeformationTables& tables) {
   for (const ModelDeformation* from : analysis::rowsInOrder(tables)) {
     for (std::size_t o = 0; o < from->audit.organs.size(); ++o) {
       AuditRow row;
-      row.texts = {shown(tables.organs[o]), shown(viscera::name(tables.models[from->model])),
-                   shown(tables.poses[from->pose])};
+      row.texts = {shown(tables.organs[o]), modelLabel(tables.models[from->model]), shown(tables.poses[from->pose])};
       row.cells = organCells(from->audit.organs[o], from->lattices[o]);
       row.item = {document::ItemKind::organ, tables.organs[o]};
       row.tip = basisTip(from->audit.organs[o].basis);
@@ -216,7 +217,7 @@ AuditTableData contactTable(const DeformationTables& tables) {
       const auto& gap = contact.gap;
       AuditRow row;
       row.texts = {shown(tables.organs[pair.first]), shown(tables.organs[pair.second]),
-                   shown(viscera::name(tables.models[from->model])), shown(tables.poses[from->pose])};
+                   modelLabel(tables.models[from->model]), shown(tables.poses[from->pose])};
       row.cells = {cell(contact.overlap, cubicCentimetres, Text::tr(" cm³"), open),
                    cell(contact.overlapBeyondRest, cubicCentimetres, open),
                    cell(gap ? std::optional(gap->mean) : std::nullopt, millimetres, noTouch),

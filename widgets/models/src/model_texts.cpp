@@ -26,6 +26,24 @@ std::array<ModelText, 4> modelTexts() {
                  "the study says: the best model.")}}};
 }
 
+QString modelLabel(viscera::OrganModel model) {
+  for (const ModelText& text : modelTexts()) {
+    if (text.model == model) {
+      return text.label;
+    }
+  }
+  return {};
+}
+
+QString modelFromFile(const std::string& name) {
+  for (const ModelText& text : modelTexts()) {
+    if (viscera::name(text.model) == name) {
+      return text.label;
+    }
+  }
+  return QString::fromStdString(name);
+}
+
 std::array<DriverText, 5> driverTexts() {
   using document::Driver;
   return {

@@ -1,6 +1,7 @@
 #include "lorica/models/results_model.h"
 
 #include "lorica/base/error.h"
+#include "lorica/models/model_texts.h"
 #include "lorica/models/numbers.h"
 
 namespace lorica::models {
@@ -139,14 +140,16 @@ QVariant ResultsModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole) {
     return QVariant((isText(column) ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   }
-  if (role == Qt::ToolTipRole && isText(column)) {
-    return textOf(here, column);  // a narrow column cuts long names
+  if (isText(column)) {
+    // The tooltip as well: a narrow column cuts long names.
+    const bool shows = role == Qt::DisplayRole || role == Qt::ToolTipRole;
+    if (shows && column == modelColumn) {
+      return modelFromFile(here.model);
+    }
+    return shows || role == rawRole ? textOf(here, column) : QVariant();
   }
   if (role != Qt::DisplayRole && role != rawRole) {
     return {};
-  }
-  if (isText(column)) {
-    return textOf(here, column);
   }
   if (isCount(column)) {
     const std::uint64_t count = countOf(here, column);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lorica/base/units.h"
+#include "lorica/models/model_texts.h"
 #include "lorica/models/numbers.h"
 
 namespace lorica::models {
@@ -156,9 +157,11 @@ QVariant ShotTable::data(const QModelIndex& index, int role) const {
     return {};
   }
   const auto column = static_cast<std::size_t>(index.column());
-  const QString& text = rows_[static_cast<std::size_t>(index.row())].*columns[column].text;
+  const ShotRow& row = rows_[static_cast<std::size_t>(index.row())];
+  const QString& text = row.*columns[column].text;
   if (role == Qt::DisplayRole || role == Qt::ToolTipRole) {
-    return text;
+    const bool isModel = columns[column].text == &ShotRow::group && row.kind == QLatin1String("organ");
+    return isModel ? modelFromFile(text.toStdString()) : text;
   }
   if (role == Qt::TextAlignmentRole) {
     const bool number = column >= 3 && column + 1 < columns.size();

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "item_form_parts.h"
+#include "analysis_parts.h"
 #include "lorica/commands/shot_edits.h"
 #include "lorica/document/appearance.h"
 #include "lorica/panels/shot_forms.h"
@@ -17,89 +17,6 @@ namespace lorica::panels {
 using document::StudyDocument;
 
 namespace {
-
-using Names = std::vector<std::string>;
-
-bool has(const Names& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// Changes a copy of the rule for stopping; a value no study can hold is the row's to prevent.
-void editStop(StudyDocument& document, const std::function<void(study::StopRule&)>& change) {
-  study::StopRule stop = document.study().stop.value_or(study::StopRule());
-  change(stop);
-  if (commands::stopTroubles(stop).empty()) {
-    commands::setStop(document, stop);
-  }
-}
-
-/// The organs that matter most: those of the class `essential`, else the first.
-Names organsToWatch(const study::Study& study) {
-  Names names;
-  for (const study::Organ& organ : study.organs) {
-    if (organ.injuryClass == "essential") {
-      names.push_back(organ.name);
-    }
-  }
-  if (names.empty() && !study.organs.empty()) {
-    names.push_back(study.organs.front().name);
-  }
-  return names;
-}
-
-QListWidget* smallList(PropertyForm& form, const char* id, const QString& label) {
-  auto* list = new QListWidget(&form);
-  list->setObjectName(QString::fromLatin1(id));
-  list->setAccessibleName(label);
-  list->setTextElideMode(Qt::ElideMiddle);
-  list->setFixedHeight(form.fontMetrics().height() * 5);
-  return list;
-}
-
-void fillWatched(QListWidget& list, const study::Study& study) {
-  const Names chosen = study.stop ? study.stop->structures : Names();
-  Names all;
-  for (const study::Organ& organ : study.organs) {
-    all.push_back(organ.name);
-  }
-  for (const std::string& name : chosen) {
-    if (!has(all, name)) {
-      all.push_back(name);
-    }
-  }
-  while (list.count() > static_cast<int>(all.size())) {
-    delete list.takeItem(list.count() - 1);
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const int at = static_cast<int>(i);
-    QListWidgetItem* item = at < list.count() ? list.item(at) : new QListWidgetItem(&list);
-    const bool on = has(chosen, all[i]);
-    item->setText(i < study.organs.size() ? shown(all[i]) : Text::tr("%1 (not in the study)").arg(shown(all[i])));
-    item->setData(Qt::UserRole, shown(all[i]));
-    item->setToolTip(item->text());
-    // A rule is about one organ at least.
-    item->setFlags(on && chosen.size() == 1 ? Qt::ItemIsUserCheckable : Qt::ItemIsUserCheckable | Qt::ItemIsEnabled);
-    item->setCheckState(on ? Qt::Checked : Qt::Unchecked);
-  }
-}
-
-Names checkedOf(const QListWidget& list) {
-  Names names;
-  for (int i = 0; i < list.count(); ++i) {
-    if (list.item(i)->checkState() == Qt::Checked) {
-      names.push_back(list.item(i)->data(Qt::UserRole).toString().toStdString());
-    }
-  }
-  return names;
-}
-
-void editAnalyses(StudyDocument& document, const std::function<void(study::Analyses&)>& change) {
-  study::Analyses analyses = document.study().analyses;
-  change(analyses);
-  if (commands::analysesTroubles(analyses).empty()) {
-    commands::setAnalyses(document, analyses);
-  }
-}
 
 Names clipsOf(const StudyDocument& document) {
   Names names;
@@ -155,9 +72,9 @@ void addDirectionRows(PropertyForm& form) {
 void addMotionRows(PropertyForm& form) {
   StudyDocument& document = form.document();
   const auto motion = [&document] { return document.study().analyses.motion; };
+  const QString tip = Text::tr("Coverage of the frames of a motion from every source");
   QCheckBox* box = form.check(
-      {"motion", QString(), Text::tr("Coverage of the frames of a motion from every source")},
-      Text::tr("Coverage over a motion"), [motion] { return motion().has_value(); },
+      {"motion", QString(), tip}, Text::tr("Coverage over a motion"), [motion] { return motion().has_value(); },
       [&document](bool on) {
         editAnalyses(document, [&](study::Analyses& analyses) {
           analyses.motion.reset();
@@ -166,12 +83,16 @@ void addMotionRows(PropertyForm& form) {
           }
         });
       });
-  form.onRefresh([&document, box, motion] { box->setEnabled(motion().has_value() || !clipsOf(document).empty()); });
+  form.onRefresh([&document, box, motion, tip] {
+    const bool can = motion().has_value() || !clipsOf(document).empty();
+    box->setEnabled(can);
+    box->setToolTip(can ? tip : Text::tr("The body has no motion."));
+  });
   QWidget* clip = form.choice(
       {"motion_clip", Text::tr("Motion")},
       [&document, motion] {
         Names names = clipsOf(document);
-        if (motion() && !has(names, motion()->clip)) {
+        if (motion() && !holdsName(names, motion()->clip)) {
           names.push_back(motion()->clip);
         }
         std::vector<Choice> choices;
@@ -241,7 +162,7 @@ void addOverlapRows(PropertyForm& form) {
   auto* group = new QWidget(&form);
   auto* row = new QHBoxLayout(group);
   row->setContentsMargins(0, 0, 0, 0);
-  QListWidget* list = smallList(form, "overlap_order", Text::tr("Order, the strongest first"));
+  QListWidget* list = makeNameList(form, "overlap_order", Text::tr("Order, the strongest first"));
   row->addWidget(list, 1);
   auto* buttons = new QVBoxLayout;
   row->addLayout(buttons);
@@ -270,55 +191,6 @@ void addOverlapRows(PropertyForm& form) {
 
 }  // namespace
 
-void addStopRows(PropertyForm& form) {
-  StudyDocument& document = form.document();
-  const auto rule = [&document] { return document.study().stop; };
-  QCheckBox* box = form.check(
-      {"stop", QString(),
-       Text::tr("More trials follow until the 95 % interval of each chosen organ's coverage is narrow enough")},
-      Text::tr("Go on until certain"), [rule] { return rule().has_value(); },
-      [&document](bool on) {
-        if (on) {
-          editStop(document, [&](study::StopRule& stop) { stop.structures = organsToWatch(document.study()); });
-        } else {
-          commands::setStop(document, std::nullopt);
-        }
-      });
-  QListWidget* list = smallList(form, "stop_structures", Text::tr("Organs whose interval is to be narrow"));
-  QObject::connect(list, &QListWidget::itemChanged, &form, [&document, &form, list] {
-    if (!form.isRefreshing()) {
-      editStop(document, [list](study::StopRule& stop) { stop.structures = checkedOf(*list); });
-      form.refresh();
-    }
-  });
-  form.row(Text::tr("Organs"), list, [&document, box, list, rule] {
-    box->setEnabled(rule().has_value() || !document.study().organs.empty());
-    fillWatched(*list, document.study());
-  });
-  form.showRowWhile(list, [rule] { return rule().has_value(); });
-  form.trouble("stop_structures", [&document] {
-    const auto& plan = document.plan();
-    const bool about = plan != nullptr && plan->trouble && plan->trouble->place.starts_with("/stop") &&
-                       plan->study->study.stop == document.study().stop;
-    return about ? Text::tr("The rule names what is no organ of the study; take it off the list.") : QString();
-  });
-  QWidget* width = form.number(
-      {"half_width", Text::tr("Half-width at most"), Text::tr("Of the interval of coverage, in points of percent")},
-      {0.01, 50.0, 0.1, 2, Text::tr(" %")}, [rule] { return 100.0 * rule().value_or(study::StopRule()).halfWidth; },
-      [&document](double percent) {
-        editStop(document, [percent](study::StopRule& stop) { stop.halfWidth = percent / 100.0; });
-      });
-  QWidget* most = form.number(
-      {"max_trials", Text::tr("Trials at most")}, {1.0, 100000.0, 100.0, 0, {}},
-      [rule] { return static_cast<double>(rule().value_or(study::StopRule()).maxTrials); },
-      [&document](double trials) {
-        editStop(document, [trials](study::StopRule& stop) { stop.maxTrials = static_cast<std::uint32_t>(trials); });
-      });
-  for (QWidget* row : {width, most}) {
-    form.showRowWhile(row, [rule] { return rule().has_value(); });
-  }
-}
-
 void addAnalysesRows(PropertyForm& form) {
   StudyDocument& document = form.document();
   form.check(
@@ -329,6 +201,8 @@ void addAnalysesRows(PropertyForm& form) {
       {"convergence", QString(), Text::tr("Coverage and interval after 1, 2, 3 and so on trials")},
       Text::tr("Convergence over the trials"), [&document] { return document.study().analyses.convergence; },
       [&document](bool on) { editAnalyses(document, [on](study::Analyses& analyses) { analyses.convergence = on; }); });
+  addGapRows(form);
+  addAnatomyRows(form);
   addDirectionRows(form);
   addMotionRows(form);
   addOverlapRows(form);

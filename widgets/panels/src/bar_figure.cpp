@@ -10,6 +10,7 @@
 #include <array>
 #include <utility>
 
+#include "lorica/models/model_texts.h"
 #include "lorica/models/numbers.h"
 #include "panel_parts.h"
 
@@ -175,7 +176,7 @@ void BarFigure::makeBars() {
   bars_->clear();
   placeLabels();
   for (const FigureSeries& series : data_.series) {
-    auto* set = new QBarSet(QString::fromStdString(series.model));
+    auto* set = new QBarSet(models::modelFromFile(series.model));
     for (const FigureBar& bar : series.bars) {
       set->append(bar.value);
     }
@@ -278,7 +279,7 @@ QLineF BarFigure::intervalLine(std::size_t series, std::size_t category) const {
 QString BarFigure::describe(std::size_t series, std::size_t category) const {
   const FigureBar& bar = data_.series.at(series).bars.at(category);
   const QString head = QString::fromStdString(data_.categories.at(category)) + ", " +
-                       QString::fromStdString(data_.series.at(series).model);
+                       models::modelFromFile(data_.series.at(series).model);
   if (bar.measured) {
     return head + "\n" + models::fixed(bar.value, data_.decimals) + data_.unit;
   }

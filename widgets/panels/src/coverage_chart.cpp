@@ -214,6 +214,9 @@ FigureData CoverageChart::data() const {
   }
   const auto text = [](const QComboBox& combo) { return combo.currentData().toString(); };
   data.title = tr("Pose %1, system %2, shots from %3").arg(text(*pose_), text(*system_), text(*source_));
+  if (run_->result.partial) {
+    data.title = tr("Partial run. %1").arg(data.title);
+  }
   data.categoryTitle = tr("Organ");
   switch (what) {
     case ChartMeasure::ofBodyHits:

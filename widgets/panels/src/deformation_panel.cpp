@@ -21,6 +21,7 @@
 #include <algorithm>
 
 #include "flow_layout.h"
+#include "lorica/models/model_texts.h"
 #include "lorica/models/numbers.h"
 #include "lorica/panels/bar_figure.h"
 #include "panel_parts.h"
@@ -67,7 +68,7 @@ FigureData figureOf(const AuditTable& table, const analysis::DeformationTables& 
   for (std::size_t r = 0; r < worst.size(); ++r) {
     const models::AuditRow& row = table.table().rows[r];
     const auto series = std::find_if(figure.series.begin(), figure.series.end(), [&](const FigureSeries& one) {
-      return row.texts[table.modelColumn()] == shown(one.model);
+      return row.texts[table.modelColumn()] == models::modelFromFile(one.model);
     });
     if (worst[r]) {
       const auto organ = std::find(figure.categories.begin(), figure.categories.end(), row.item.name);
@@ -370,7 +371,7 @@ void DeformationPanel::updateCaption() {
   const analysis::DeformationTables& tables = report_->tables;
   QStringList names;
   for (const OrganModel model : tables.models) {
-    names << shown(viscera::name(model));
+    names << models::modelLabel(model);
   }
   QString text = spansPoses() ? tr("%1 poses, %2.").arg(tables.poses.size()).arg(names.join(tr(" against ")))
                               : tr("Pose %1, %2.").arg(shown(tables.poses.front()), names.join(tr(" against ")));

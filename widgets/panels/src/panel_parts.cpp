@@ -10,6 +10,8 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "lorica/models/model_texts.h"
+
 namespace lorica::panels {
 
 namespace {
@@ -80,6 +82,15 @@ QTableView* makeTable(QWidget* parent) {
   table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + panelMargin);
   table->horizontalHeader()->setHighlightSections(false);
   return table;
+}
+
+void refillModels(QComboBox& combo, const QStringList& names, const QString& all) {
+  refill(combo, names, all);
+  for (int i = all.isEmpty() ? 0 : 1; i < combo.count(); ++i) {
+    const QString label = models::modelFromFile(combo.itemData(i).toString().toStdString());
+    combo.setItemText(i, label);
+    combo.setItemData(i, label, Qt::ToolTipRole);
+  }
 }
 
 void refill(QComboBox& combo, const QStringList& entries, const QString& all) {

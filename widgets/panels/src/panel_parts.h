@@ -29,6 +29,9 @@ QTableView* makeTable(QWidget* parent);
 /// empty
 void refill(QComboBox& combo, const QStringList& entries, const QString& all = {});
 
+/// The same of organ models: entries are names as files have them, what is seen is the window's.
+void refillModels(QComboBox& combo, const QStringList& names, const QString& all = {});
+
 /// Does something when a key is pressed in a widget, before any shortcut of the window gets it.
 void onKey(QWidget& widget, QKeySequence::StandardKey key, std::function<void()> action);
 

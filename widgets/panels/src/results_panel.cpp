@@ -215,7 +215,7 @@ void ResultsPanel::refillFilters() {
                                    tr("All kinds")};
   for (std::size_t i = 0; i < combos_.size(); ++i) {
     const QStringList texts = model_->distinct(combos_[i].column);
-    refill(*combos_[i].combo, texts, all[i]);
+    (combos_[i].column == ResultsModel::modelColumn ? refillModels : refill)(*combos_[i].combo, texts, all[i]);
     // The same in every row: nothing to choose, nothing to read.
     combos_[i].combo->setVisible(texts.size() > 1);
     table_->setColumnHidden(combos_[i].column, texts.size() < 2);

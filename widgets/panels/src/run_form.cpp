@@ -1,5 +1,6 @@
 #include "item_form_parts.h"
 #include "item_forms.h"
+#include "lorica/models/model_texts.h"
 #include "lorica/models/numbers.h"
 
 namespace lorica::panels {
@@ -49,7 +50,7 @@ void fillRun(PropertyForm& form, const std::string& name) {
   form.note({"systems", Text::tr("Armor")}, [text = joined(result.systems)] { return text; });
   std::vector<std::string> organModels;
   for (const study::OrganModel model : result.models) {
-    organModels.push_back(viscera::name(model));
+    organModels.push_back(models::modelLabel(model).toStdString());
   }
   form.note({"models", Text::tr("Organ models")}, [text = joined(organModels)] { return text; });
   fixedFact("trials", Text::tr("Trials"),

@@ -2,6 +2,7 @@
 
 #include "driver_colours.h"
 #include "legend.h"
+#include "lorica/models/model_texts.h"
 #include "lorica/models/numbers.h"
 
 namespace lorica::viewport {
@@ -59,9 +60,7 @@ void addDrivers(LegendText& legend, const document::Inspection& inspection, cons
   add(Driver::frames, Mark::axes, Qt::black, QObject::tr("reference frames of sites or joint"), frames);
   for (const jobs::OrganDrivers& drivers : frame.drivers) {
     const QString note = driverNote(drivers);
-    legend.notes << (frame.drivers.size() == 1
-                         ? note
-                         : QString::fromStdString(viscera::name(drivers.layout->model)) + ": " + note);
+    legend.notes << (frame.drivers.size() == 1 ? note : models::modelLabel(drivers.layout->model) + ": " + note);
   }
 }
 

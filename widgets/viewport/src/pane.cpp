@@ -42,6 +42,9 @@ Pane::Pane(std::size_t model, vtkCamera* camera) {
   auto inspected = std::make_unique<InspectedShotPresenter>(renderer_, model);
   inspected_ = inspected.get();
   presenters_.push_back(std::move(inspected));
+  auto patch = std::make_unique<PatchPresenter>(renderer_);
+  patch_ = patch.get();
+  presenters_.push_back(std::move(patch));
   vtkTextProperty* text = title_->GetTextProperty();
   text->SetFontFamilyToArial();
   text->SetColor(0.20, 0.22, 0.25);

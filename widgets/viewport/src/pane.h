@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "inspected_shot.h"
+#include "patch_presenter.h"
 #include "presenter.h"
 #include "shot_presenter.h"
 #include "source_presenter.h"
@@ -26,6 +27,7 @@ class Pane {
   ShotPresenter& shots() { return *shots_; }
   SourcePresenter& sources() { return *sources_; }
   InspectedShotPresenter& inspected() { return *inspected_; }
+  PatchPresenter& patch() { return *patch_; }
   /// \param title of the pane; empty: none
   void showFrame(const std::shared_ptr<const jobs::Frame>& frame, const QString& title);
   void restyle(const document::StudyDocument& document);
@@ -42,6 +44,7 @@ class Pane {
   ShotPresenter* shots_ = nullptr;
   SourcePresenter* sources_ = nullptr;
   InspectedShotPresenter* inspected_ = nullptr;
+  PatchPresenter* patch_ = nullptr;
 };
 
 }  // namespace lorica::viewport

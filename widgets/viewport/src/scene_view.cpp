@@ -27,6 +27,7 @@
 #include "coarse_meshes.h"
 #include "legend.h"
 #include "lorica/geometry/measures.h"
+#include "lorica/models/model_texts.h"
 #include "lorica/raycast/caster.h"
 #include "organ_colouring.h"
 #include "pane.h"
@@ -39,20 +40,6 @@ using geometry::Vec3d;
 
 constexpr int restMs = 200;    ///< without motion until what is shown is drawn in full
 constexpr int frameMs = 2000;  ///< a frame that takes longer to compute is no longer waited for
-
-QString titleOf(viscera::OrganModel model) {
-  switch (model) {
-    case viscera::OrganModel::staticJoint:
-      return SceneView::tr("static organs, carried by the nearest joint");
-    case viscera::OrganModel::staticSkin:
-      return SceneView::tr("static organs, carried by the skin");
-    case viscera::OrganModel::dynamicThesis:
-      return SceneView::tr("dynamic organs, thesis' settings");
-    case viscera::OrganModel::dynamic:
-      return SceneView::tr("dynamic organs");
-  }
-  return {};
-}
 
 ScreenView screenViewOf(vtkRenderer* renderer) {
   const vtkMatrix4x4* matrix =
@@ -110,6 +97,7 @@ struct SceneView::Impl {
   std::string shotFilter;
   bool compass = true;
   std::shared_ptr<const jobs::ShotInspection> inspection;
+  std::shared_ptr<const jobs::SkinPatch> patch;
   std::optional<Vec3d> sourcePick;
   QPointF pressed;
   CoarseMeshes coarseMeshes;
@@ -241,6 +229,7 @@ void SceneView::arrangePanes(std::size_t count) {
     pane->shots().setFilter(impl_->shotFilter);
     pane->sources().setCompass(impl_->compass);
     pane->inspected().inspect(impl_->inspection);
+    pane->patch().mark(impl_->patch);
     impl_->window->AddRenderer(pane->renderer());
     impl_->panes.push_back(std::move(pane));
   }
@@ -258,7 +247,7 @@ void SceneView::showFrame(std::shared_ptr<const jobs::Frame> frame) {
   arrangePanes(frame == nullptr ? 0 : frame->scene->models().size());
   impl_->coarseMeshes.setStudy(frame == nullptr ? nullptr : frame->study);
   for (std::size_t p = 0; p < impl_->panes.size(); ++p) {
-    impl_->panes[p]->showFrame(frame, titleOf(frame->scene->models()[p]));
+    impl_->panes[p]->showFrame(frame, models::modelLabel(frame->scene->models()[p]));
   }
   for (const auto& pane : impl_->panes) {
     pane->drawCoarsely(impl_->detail());
@@ -308,6 +297,7 @@ void SceneView::scheduleDrawing() {
 void SceneView::draw() {
   for (const auto& pane : impl_->panes) {
     pane->renderer()->ResetCameraClippingRange();
+    pane->sources().placeLabels();
   }
   const auto start = std::chrono::steady_clock::now();
   impl_->window->Render();
@@ -376,6 +366,26 @@ void SceneView::markShot(std::shared_ptr<const jobs::ShotInspection> inspection)
     pane->inspected().inspect(impl_->inspection);
   }
   restyle();
+}
+
+void SceneView::markPatch(std::shared_ptr<const jobs::SkinPatch> patch) {
+  impl_->patch = std::move(patch);
+  for (const auto& pane : impl_->panes) {
+    pane->patch().mark(impl_->patch);
+  }
+  restyle();
+}
+
+void SceneView::lookAlong(const Vec3d& towards, const Vec3d& place) {
+  vtkCamera* camera = impl_->camera;
+  const Vec3d from = towards.normalized();
+  const Vec3d position = place + camera->GetDistance() * from;
+  const bool steep = std::abs(from.y()) > 0.95;
+  const Vec3d up = steep ? Vec3d(0.0, 0.0, from.y() > 0.0 ? -1.0 : 1.0) : Vec3d::UnitY();
+  camera->SetFocalPoint(place.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(up.data());
+  scheduleDrawing();
 }
 
 void SceneView::lookFrom(StandardView view) {

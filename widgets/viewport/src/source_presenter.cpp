@@ -1,7 +1,9 @@
 #include "source_presenter.h"
 
+#include <vtkRenderWindow.h>
 #include <vtkTextProperty.h>
 
+#include "label_layout.h"
 #include "lorica/geometry/measures.h"
 
 namespace lorica::viewport {
@@ -14,6 +16,8 @@ const QColor paleColour(205, 125, 125);
 const QColor sourceColour(178, 24, 24);
 const QColor compassColour(70, 84, 104);
 const QColor directionColour(20, 70, 160);
+constexpr int strongSize = 14;  // of labels, points
+constexpr int plainSize = 12;
 
 }  // namespace
 
@@ -107,6 +111,7 @@ void SourcePresenter::restyle(const document::StudyDocument& document) {
 
 void SourcePresenter::drawCompass(const std::optional<Compass>& compass) {
   const Compass shown = compass.value_or(Compass());
+  shownLabels_ = shown.labels;
   compass_.draw(shown.lines);
   direction_.draw(shown.strong);
   while (labels_.size() < shown.labels.size()) {
@@ -127,9 +132,36 @@ void SourcePresenter::drawCompass(const std::optional<Compass>& compass) {
       vtkTextProperty* text = labels_[i]->GetTextProperty();
       const QColor& colour = label.ofSource ? directionColour : compassColour;
       text->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-      text->SetFontSize(label.strong ? 14 : 12);
+      text->SetFontSize(label.strong ? strongSize : plainSize);
       text->SetBold(label.strong);
     }
+  }
+}
+
+void SourcePresenter::placeLabels() {
+  const int* window = renderer()->GetSize();
+  if (window[0] < 1 || window[1] < 1) {
+    return;
+  }
+  constexpr double pointsPerInch = 72.0;
+  constexpr double widthOfLetter = 0.62;  // of the size of the text, with some room
+  constexpr double heightOfLine = 1.25;
+  const double scale = renderer()->GetRenderWindow()->GetDPI() / pointsPerInch;
+  std::vector<LabelBox> boxes;
+  for (const CompassLabel& label : shownLabels_) {
+    renderer()->SetWorldPoint(label.place.x(), label.place.y(), label.place.z(), 1.0);
+    renderer()->WorldToDisplay();
+    const double* place = renderer()->GetDisplayPoint();
+    const double size = scale * (label.strong ? strongSize : plainSize);
+    boxes.push_back({{place[0], place[1]},
+                     {widthOfLetter * size * static_cast<double>(label.text.size()), heightOfLine * size},
+                     label.ofSource ? 2
+                     : label.strong ? 1
+                                    : 0});
+  }
+  const std::vector<bool> seen = withoutOverlaps(boxes);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    labels_[i]->SetVisibility(seen[i] ? 1 : 0);
   }
 }
 

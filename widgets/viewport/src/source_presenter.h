@@ -18,6 +18,8 @@ class SourcePresenter final : public Presenter {
   void restyle(const document::StudyDocument& document) override;
   /// Whether azimuth and elevation are drawn at all.
   void setCompass(bool on) { compassOn_ = on; }
+  /// Hides labels that would lie over others as the camera stands now.
+  void placeLabels();
 
  private:
   std::span<const raycast::Ray> listedBy(const std::string& source) const;
@@ -31,7 +33,8 @@ class SourcePresenter final : public Presenter {
   LineLayer selectedBalls_;
   LineLayer compass_;
   LineLayer direction_;
-  std::vector<vtkSmartPointer<vtkBillboardTextActor3D>> labels_;
+  std::vector<CompassLabel> shownLabels_;
+  std::vector<vtkSmartPointer<vtkBillboardTextActor3D>> labels_;  ///< as many at least
 };
 
 /// Where a source is aimed at in a posed scene, and the radius of the ball around that which holds the skin.

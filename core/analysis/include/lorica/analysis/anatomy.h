@@ -4,9 +4,10 @@
 /// How far coverage is open because nobody knows where in a person the organs lie: each organ is moved as a whole, at
 /// random, by published displacements between postures and with the breath, and the same shots are traced again.
 
+#include <array>
 #include <optional>
 
-#include "lorica/analysis/run.h"
+#include "lorica/analysis/results.h"
 
 namespace lorica::analysis {
 
@@ -74,6 +75,22 @@ struct AnatomyResult {
 /// the study asks for anatomy \throw base::InputError as jitterOf, base::Cancelled
 AnatomyResult overAnatomies(const LoadedStudy& study, const RunResult& run, base::Threads threads,
                             const base::Progress& progress = {});
+
+/// What the draws say of one structure, as tables have it.
+struct AnatomyRecord {
+  ResultRow run;                                          ///< of the run itself, organs where the study has them
+  std::optional<OrganJitter> jitter{};                    ///< of an organ; none of classes and of all organs together
+  std::uint32_t heldBack = 0;                             ///< as AnatomyRow
+  std::size_t drawsHit = 0;                               ///< draws in which it was hit
+  std::array<std::optional<double>, 3> coverage{};        ///< 5th, 50th, 95th percentile over those, 0 to 1
+  std::array<std::optional<double>, 3> percentOfShots{};  ///< over all draws
+};
+
+/// A record for each row of the result, in its order. \pre the result is of that run
+std::vector<AnatomyRecord> anatomyRecords(const LoadedStudy& study, const RunResult& run, const AnatomyResult& result);
+
+/// The name of a basis in tables: none, unverified, verified, given.
+const char* nameOf(OrganJitter::Basis basis);
 
 /// A row for each (source, system, model, pose, structure): the coverage of the run with its interval, and the 5th,
 /// 50th and 95th percentile over the draws.

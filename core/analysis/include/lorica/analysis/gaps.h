@@ -32,6 +32,15 @@ struct Gap {
   std::vector<Neighbour> neighbours{};  ///< pieces of the system within neighbourReach, the nearest first
 };
 
+/// From where a gap is shot through, degrees.
+struct GapBearing {
+  double azimuth = 0.0;    ///< 0 ahead of the person, 90 on the left, from 0 to below 360
+  double elevation = 0.0;  ///< 90 above
+  double spread = 0.0;     ///< root mean square angle of its shots from there, for small ones; 0 of one direction
+};
+/// \pre the gap has a number
+GapBearing bearingOf(const Gap& gap);
+
 /// Farther pieces are no neighbours, metres.
 inline constexpr double neighbourReach = 0.1;
 

@@ -60,6 +60,9 @@ class GapCounter {
   void add(const GapCounter& /*other*/) {}
   /// One per watched structure. \pre no shots are being observed
   const std::vector<GapCounts>& counts() const { return *counts_; }
+  /// Per triangle of the skin, shots that enter it from outside through that one, whatever they reach; a shot may enter
+  /// more than once. \pre no shots are being observed
+  const std::vector<std::uint64_t>& entries() const { return *entries_; }
 
  private:
   struct Crossing {
@@ -72,6 +75,7 @@ class GapCounter {
   const raycast::MeshTopology* skin_;
   const TargetLayout* layout_;
   std::shared_ptr<std::vector<GapCounts>> counts_;
+  std::shared_ptr<std::vector<std::uint64_t>> entries_;
   std::vector<std::uint32_t> watchedOfMesh_;  ///< per mesh; none for those that are not watched
   std::vector<char> seen_;                    ///< per watched structure, within one shot
   std::vector<char> armored_;                 ///< per system, within one shot

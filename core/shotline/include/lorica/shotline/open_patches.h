@@ -32,7 +32,8 @@ struct OpenPatch {
   std::vector<std::uint32_t> triangles;  ///< rising
   /// m2: of each triangle the share of its shots that is unprotected (of its pool, where it has none). What one
   /// direction sees of a hole is this, whatever the size of the triangles at its rim; of many directions it falls short
-  /// by no more than openShare of the triangles at the rim.
+  /// by no more than openShare of the triangles at the rim. Where `through` is given, the share is of those shots: then
+  /// triangles at the rim of what the shots reach count by the part of them that leads there.
   double area = 0.0;
   double extent = 0.0;                               ///< m2, whole triangles
   geometry::Vec3d centre = geometry::Vec3d::Zero();  ///< metres, of `area`; off the surface where that is curved
@@ -43,9 +44,11 @@ struct OpenPatch {
 /// The patches under one system, the largest area first.
 /// \param positions of the posed mesh, metres
 /// \param hits, open shots per triangle
-/// \pre a position per vertex, a count per triangle. Cost: a walk around each triangle that lies near a hit.
+/// \param through all shots that enter through each triangle, no fewer than `hits`; meant for shots that pass a place
+/// in one direction only. None: those of `hits`. \pre a position per vertex, a count per triangle. Cost: a walk around
+/// each triangle that lies near a hit.
 std::vector<OpenPatch> openPatches(const raycast::MeshTopology& mesh, std::span<const geometry::Vec3f> positions,
                                    std::span<const std::uint64_t> hits, std::span<const std::uint64_t> open,
-                                   const PatchRule& rule = {});
+                                   const PatchRule& rule = {}, std::span<const std::uint64_t> through = {});
 
 }  // namespace lorica::shotline

@@ -5,6 +5,7 @@
 
 #include <QString>
 #include <array>
+#include <string>
 
 #include "lorica/document/inspection.h"
 #include "lorica/viscera/organ_rig.h"
@@ -18,6 +19,10 @@ struct ModelText {
 };
 
 std::array<ModelText, 4> modelTexts();
+/// How the window names a model; files have viscera::name().
+QString modelLabel(viscera::OrganModel model);
+/// The same of a name as files have it; what is no model's name stays as it is.
+QString modelFromFile(const std::string& name);
 
 struct DriverText {
   document::Driver driver;

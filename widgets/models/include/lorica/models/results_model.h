@@ -38,7 +38,8 @@ class ResultsModel : public QAbstractTableModel {
     highColumn,
     columnTotal
   };
-  /// The number as it stands in summary.csv; invalid where that is blank. Texts for columns of text.
+  /// The number as it stands in summary.csv; invalid where that is blank. Of columns of text the text of the file; what
+  /// is shown of a model is its name in the window.
   static constexpr int rawRole = Qt::UserRole;
   /// document::ItemRef of the row's structure; invalid for rows that count no single thing.
   static constexpr int itemRole = Qt::UserRole + 1;

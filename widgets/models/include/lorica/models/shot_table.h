@@ -16,7 +16,7 @@ namespace lorica::models {
 struct ShotRow {
   QString structure;  ///< "gap" of a gap
   QString kind;       ///< body, armor or organ; empty of a gap
-  QString group;      ///< system of a piece, model of an organ
+  QString group;      ///< system of a piece, model of an organ; the table shows the window's name of a model
   QString enter;
   QString exit;
   QString thickness;

@@ -29,7 +29,7 @@ struct FigureBar {
 };
 
 struct FigureSeries {
-  std::string model;
+  std::string model;  ///< as files name it
   QColor colour;
   std::vector<FigureBar> bars;  ///< one for each category
 };

@@ -20,6 +20,7 @@
 
 #include "lorica/document/study_document.h"
 #include "lorica/jobs/frame_engine.h"
+#include "lorica/jobs/run_survey.h"
 #include "lorica/jobs/shot_inspector.h"
 
 namespace lorica::viewport {
@@ -49,6 +50,10 @@ class SceneView : public QWidget {
   void showCompass(bool on);
   /// Marks a shot that is looked into; null: none.
   void markShot(std::shared_ptr<const jobs::ShotInspection> inspection);
+  /// Marks a gap in the armor on the skin; null: none.
+  void markPatch(std::shared_ptr<const jobs::SkinPatch> patch);
+  /// Looks at a place from a direction, keeping the distance. \pre `towards` is not zero
+  void lookAlong(const geometry::Vec3d& towards, const geometry::Vec3d& place);
   /// Another frame is on its way: until it is shown, or for a while, what is drawn counts as in motion.
   void expectFrame();
   /// The next click places a shot source: on the body, it is put towards the viewer, as far from the body's middle as
