@@ -200,6 +200,31 @@ TEST(Convergence, EndsAtTheSummary) {
   }
 }
 
+TEST(Directions, TheWorstIsSureOfItselfAndNeedsASystemThatCoversAtAll) {
+  const auto seen = [](std::uint64_t any, std::uint64_t guarded) {
+    ResultRow row;
+    row.shots = 1000;
+    row.count.any = any;
+    row.count.shielded = guarded;
+    return row;
+  };
+  const std::vector<ResultRow> rows{seen(400, 400), seen(2, 0), seen(300, 30), seen(500, 300), seen(0, 0)};
+  std::vector<DirectionRow> directions;
+  for (const ResultRow& row : rows) {
+    directions.push_back({&row, 2.0});
+  }
+  EXPECT_DOUBLE_EQ(directions[2].unprotectedArea(), 2.0 * 270 / 1000);
+  const WorstDirections worst = worstDirections(directions);
+  EXPECT_EQ(worst.lowestCoverage, 2U) << "two hits that went through are no evidence";
+  EXPECT_EQ(worst.largestUnprotected, 2U);
+  directions[3].area = 4.0;
+  EXPECT_EQ(worstDirections(directions).largestUnprotected, 3U) << "by area, not by share";
+  const std::vector<ResultRow> open{seen(400, 0), seen(3, 0)};
+  const std::vector<DirectionRow> uncovered{{&open[0], 1.0}, {&open[1], 1.0}};
+  EXPECT_FALSE(worstDirections(uncovered).lowestCoverage);
+  EXPECT_FALSE(worstDirections(uncovered).largestUnprotected);
+}
+
 TEST(Directions, WeighedByTheirSolidAngleGiveTheAreaOfTheSphereSource) {
   LoadedStudy study = sample();
   study.study.analyses.directions = study::DirectionGrid{30.0, 2000};

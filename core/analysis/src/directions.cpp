@@ -63,14 +63,39 @@ std::vector<DirectionResult> byDirection(const LoadedStudy& study, const RunResu
   return results;
 }
 
+double DirectionRow::unprotectedArea() const {
+  return row->shots == 0 ? 0.0 : area * static_cast<double>(row->unprotected()) / static_cast<double>(row->shots);
+}
+
+WorstDirections worstDirections(std::span<const DirectionRow> rows) {
+  WorstDirections worst;
+  if (std::none_of(rows.begin(), rows.end(), [](const DirectionRow& here) { return here.row->count.shielded > 0; })) {
+    return worst;
+  }
+  double lowest = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const DirectionRow& here = rows[i];
+    if (here.row->coverage()) {
+      const double surely = here.row->coverageInterval()->high;
+      if (!worst.lowestCoverage || surely < lowest ||
+          (surely == lowest && here.unprotectedArea() > rows[*worst.lowestCoverage].unprotectedArea())) {
+        worst.lowestCoverage = i;
+        lowest = surely;
+      }
+    }
+    if (here.row->unprotected() > 0 &&
+        (!worst.largestUnprotected || here.unprotectedArea() > rows[*worst.largestUnprotected].unprotectedArea())) {
+      worst.largestUnprotected = i;
+    }
+  }
+  return worst;
+}
+
 std::string directionsCsv(const LoadedStudy& study, const RunResult& plan,
                           const std::vector<DirectionResult>& results) {
   struct Row {
     ResultRow row;
     const DirectionResult* direction;
-    double open() const {
-      return direction->area * static_cast<double>(row.unprotected()) / static_cast<double>(row.shots);
-    }
   };
   // Every direction as a run of one trial, so that rows mean what they mean in the summary.
   std::map<std::array<std::string, 5>, std::vector<Row>> groups;
@@ -101,33 +126,24 @@ std::string directionsCsv(const LoadedStudy& study, const RunResult& plan,
       "coverage_hi,presented_area_m2,unprotected_area_m2,lowest_coverage,largest_unprotected_area\n";
   for (const auto& key : order) {
     const std::vector<Row>& group = groups[key];
-    const Row* lowest = nullptr;
-    const Row* largest = nullptr;
-    const bool covers =
-        std::any_of(group.begin(), group.end(), [](const Row& here) { return here.row.count.shielded > 0; });
+    std::vector<DirectionRow> seen;
     for (const Row& here : group) {
-      // By the upper end of the interval: a few hits that went through are no evidence yet.
-      const auto surely = [](const Row& row) { return row.row.coverageInterval()->high; };
-      if (covers && here.row.coverage() &&
-          (lowest == nullptr || surely(here) < surely(*lowest) ||
-           (surely(here) == surely(*lowest) && here.open() > lowest->open()))) {
-        lowest = &here;
-      }
-      if (covers && here.row.unprotected() > 0 && (largest == nullptr || here.open() > largest->open())) {
-        largest = &here;
-      }
+      seen.push_back({&here.row, here.direction->area});
     }
-    for (const Row& here : group) {
+    const WorstDirections worst = worstDirections(seen);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const Row& here = group[i];
+      const auto mark = [&](const std::optional<std::size_t>& place) { return std::string(place == i ? "1" : "0"); };
       const ResultRow& row = here.row;
       const auto interval = row.coverageInterval();
-      text += io::csvRow(
-          std::array{row.system, row.model, row.pose, row.structure, row.kind, row.injuryClass,
-                     fmt::format("{}", here.direction->azimuth), fmt::format("{}", here.direction->elevation),
-                     std::to_string(row.shots), std::to_string(row.count.any), std::to_string(row.count.shielded),
-                     io::csvNumber(row.coverage()), interval ? io::csvNumber(interval->low) : std::string(),
-                     interval ? io::csvNumber(interval->high) : std::string(),
-                     io::csvNumber(here.direction->area * row.percentOfShots() / 100.0), io::csvNumber(here.open()),
-                     std::string(&here == lowest ? "1" : "0"), std::string(&here == largest ? "1" : "0")});
+      text += io::csvRow(std::array{
+          row.system, row.model, row.pose, row.structure, row.kind, row.injuryClass,
+          fmt::format("{}", here.direction->azimuth), fmt::format("{}", here.direction->elevation),
+          std::to_string(row.shots), std::to_string(row.count.any), std::to_string(row.count.shielded),
+          io::csvNumber(row.coverage()), interval ? io::csvNumber(interval->low) : std::string(),
+          interval ? io::csvNumber(interval->high) : std::string(),
+          io::csvNumber(here.direction->area * row.percentOfShots() / 100.0), io::csvNumber(seen[i].unprotectedArea()),
+          mark(worst.lowestCoverage), mark(worst.largestUnprotected)});
     }
   }
   return text;

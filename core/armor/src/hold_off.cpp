@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
+
+#include "lorica/geometry/sides.h"
 
 namespace lorica::armor {
 
@@ -37,25 +38,12 @@ constexpr std::uint32_t kNone = UINT32_MAX;
 using Across = std::array<std::uint32_t, 3>;
 
 std::vector<Across> trianglesAcross(std::span<const Triangle> triangles) {
-  struct Side {
-    std::uint32_t low, high, triangle, corner;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-      sides.push_back({low, high, t, k});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
+  const std::vector<geometry::TriangleSide> sides = geometry::sidesByEdge(triangles);
   std::vector<Across> across(triangles.size(), {kNone, kNone, kNone});
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    const Side& a = sides[i];
-    const Side& b = sides[i + 1];
-    if (a.low == b.low && a.high == b.high) {
+    const geometry::TriangleSide& a = sides[i];
+    const geometry::TriangleSide& b = sides[i + 1];
+    if (a.sameEdge(b)) {
       across[a.triangle][a.corner] = b.triangle;
       across[b.triangle][b.corner] = a.triangle;
     }

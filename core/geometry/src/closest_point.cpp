@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 
 #include "lorica/base/error.h"
+#include "lorica/geometry/sides.h"
 
 namespace lorica::geometry {
 
@@ -49,29 +49,15 @@ double angleBetween(const Vec3d& u, const Vec3d& v) {
 
 /// Sums of the face normals over the triangles that share a side.
 std::vector<std::array<Vec3d, 3>> sideNormals(const std::vector<Triangle>& triangles, const std::vector<Vec3d>& faces) {
-  struct Side {
-    std::uint32_t low, high, triangle, k;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-      sides.push_back({low, high, t, k});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle, a.k) < std::tie(b.low, b.high, b.triangle, b.k);
-  });
+  const std::vector<TriangleSide> sides = sidesByEdge(triangles);
   std::vector<std::array<Vec3d, 3>> sums(triangles.size());
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
     Vec3d sum = Vec3d::Zero();
-    for (end = begin; end < sides.size() && sides[end].low == sides[begin].low && sides[end].high == sides[begin].high;
-         ++end) {
+    for (end = begin; end < sides.size() && sides[end].sameEdge(sides[begin]); ++end) {
       sum += faces[sides[end].triangle];
     }
     for (std::size_t i = begin; i < end; ++i) {
-      sums[sides[i].triangle][sides[i].k] = sum;
+      sums[sides[i].triangle][sides[i].corner] = sum;
     }
   }
   return sums;

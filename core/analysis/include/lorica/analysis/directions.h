@@ -3,9 +3,14 @@
 /// \file
 /// Coverage by direction and over a motion.
 
+#include <optional>
+#include <span>
+
 #include "lorica/analysis/run.h"
 
 namespace lorica::analysis {
+
+struct ResultRow;
 
 /// Counts of a parallel beam from one direction, at one pose.
 struct DirectionResult {
@@ -22,6 +27,24 @@ struct DirectionResult {
 /// \throw base::Cancelled
 std::vector<DirectionResult> byDirection(const LoadedStudy& study, const RunResult& plan, base::Threads threads,
                                          const base::Progress& progress = {});
+
+/// One structure under one system, seen from one direction.
+struct DirectionRow {
+  const ResultRow* row = nullptr;  ///< of the shots from there
+  double area = 0.0;               ///< m2 across the shots
+
+  /// Of the structure, as seen from there, m2.
+  double unprotectedArea() const;
+};
+
+/// The worst of the directions of one structure, as places in the rows; none where the system covers it from nowhere.
+struct WorstDirections {
+  /// Whose coverage interval ends lowest, as a few hits that went through are no evidence yet; of equals the first of
+  /// the largest unprotected area.
+  std::optional<std::size_t> lowestCoverage;
+  std::optional<std::size_t> largestUnprotected;
+};
+WorstDirections worstDirections(std::span<const DirectionRow> rows);
 
 /// A row for each (system, model, pose, direction, structure), with a mark at the direction of lowest coverage (that
 /// whose interval ends lowest) and at that of the largest unprotected area of each structure, where the system covers
