@@ -132,7 +132,8 @@ TEST_F(Commands, WrongUsageIsExitCode2WithOneLine) {
 TEST_F(Commands, HelpNamesEveryCommand) {
   const Outcome outcome = run("--help");
   EXPECT_EQ(outcome.code, 0);
-  for (const std::string name : {"run", "check", "template", "generate", "import", "export", "report", "upgrade", "bench"}) {
+  for (const std::string name :
+       {"run", "check", "template", "generate", "import", "export", "report", "upgrade", "bench"}) {
     EXPECT_NE(outcome.out.find("  " + name), std::string::npos) << name;
     EXPECT_EQ(run(name + " --help").code, 0);
   }

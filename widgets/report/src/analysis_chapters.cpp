@@ -84,7 +84,7 @@ void writeFamily(const Report& report, const std::vector<const ComparisonRow*>& 
     Table table(report.sheet, columns, {heads});
     table.setCaption(
         Text::tr("Coverage under %1 minus that under %2, percentage points; source %3, %4. p: paired t over "
-                 "the trials, Holm over the structures; bold: below 0.05.")
+                 "the trials, Holm over the structures, none where the trials agree; bold: below 0.05.")
             .arg(labelOf(head, head.first), labelOf(head, head.second), text(head.place.source), held));
     for (const std::string& structure : structures) {
       std::vector<Cell> cells{{structureLabel(structure, structure == "body" ? "body" : "organ")}};

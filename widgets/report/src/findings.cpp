@@ -259,6 +259,7 @@ void writeTotalsFigure(const Report& report, const std::string& source) {
       std::vector<Table::Drawing> drawings;
       for (const StructureKey& total : view.totals) {
         std::vector<MarkedCoverage> marks;
+        marks.reserve(modelsOfRun.size());
         for (const std::string& model : modelsOfRun) {
           marks.push_back({markOf(model), view.coverage(source, system, model, pose, total)});
         }

@@ -96,7 +96,7 @@ class Sheet {
   double textWidth(const QString& text, const Style& style) const;
   static double lineHeight(const Style& style) { return 1.28 * style.size * 25.4 / 72.0; }
 
-  void rule(double x, double y, double width, const QColor& colour = ink::rule, double thickness = 0.2);
+  void rule(double x, double y, double length, const QColor& colour = ink::rule, double thickness = 0.2);
   void fill(const QRectF& box, const QColor& colour);
   void picture(const QRectF& box, const QImage& image);
 
