@@ -43,7 +43,7 @@ class PointTree;
 
 /// Keeps a search tree (VTK's vtkStaticPointLocator) for each distinct set of points. Const functions are thread-safe;
 /// results depend on nothing but field, options, place and time.
-/// Cost: building 0.1 us a point, a query 0.1 us on a lattice, some us between points.
+/// Cost: building 0.1 us a point, a query 0.1 us on a lattice, about 10 us between 10 million points.
 class FieldSampler {
  public:
   /// \pre the field has a step, and neighbours is 1 to 15
