@@ -148,7 +148,7 @@ class Tables : public Survey {
   QString at(int row, const char* title) const {
     const QAbstractItemModel& table = *panel_.table().model();
     for (int column = 0; column < table.columnCount(); ++column) {
-      if (table.headerData(column, Qt::Horizontal).toString() == QLatin1String(title)) {
+      if (table.headerData(column, Qt::Horizontal).toString() == QString::fromUtf8(title)) {
         return table.index(row, column).data().toString();
       }
     }
