@@ -89,7 +89,7 @@ void takeGaps(Photographer& photographer, MainWindow& window) {
   lorica::study::Study study = window.document().study();
   study.runPoses = {"rest", "toe_touch@2"};
   study.analyses = {};
-  study.analyses.gaps = lorica::study::GapSettings{{"heart", "liver"}};
+  study.analyses.gaps = lorica::study::GapSettings{{"liver", "body"}};
   study.analyses.anatomy = lorica::study::AnatomySettings{5};
   lorica::commands::replaceStudy(window.document(), study, "Gaps");
   photographer.settle("rest");
@@ -102,6 +102,7 @@ void takeGaps(Photographer& photographer, MainWindow& window) {
   window.showSurvey();
   window.survey().compute();
   waitFor([&] { return !window.survey().isBusy(); });
+  window.survey().findChild<QComboBox*>("survey_system")->setCurrentIndex(2);
   photographer.take("survey_gaps");
   window.survey().table().selectRow(0);
   photographer.settle(window.document().shownPose());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "lorica/models/model_texts.h"
 #include "two_poses.h"
 
 namespace lorica::models {
@@ -97,9 +98,11 @@ TEST_F(AuditTableTest, OrderOfTheRowsOfAnAuditIsThatOfTheFileWhateverOrderItWasM
   table_.setTable(organTable(tables));
   for (int r = 0; r < table_.rowCount(); ++r) {
     const QByteArray line = table_.csv({r}).split('\n')[1];
-    for (int column = 0; column < 3; ++column) {
+    for (const int column : {0, 2}) {
       EXPECT_TRUE(line.contains(at(r, column).toUtf8())) << line.toStdString();
     }
+    const QByteArray model = line.contains(",static_joint,") ? "static_joint" : "dynamic";
+    EXPECT_EQ(at(r, 1), modelFromFile(model.toStdString())) << line.toStdString();
   }
 }
 

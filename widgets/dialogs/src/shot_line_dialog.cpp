@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QToolButton>
@@ -184,6 +185,9 @@ QWidget* ShotLineDialog::makeRunSide() {
   // The tab's own background, not that of a view.
   scroll->viewport()->setAutoFillBackground(false);
   page->setAutoFillBackground(false);
+  analysesForm_->onRefresh([scroll, page] {
+    scroll->setMinimumWidth(page->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+  });
   tabs->addTab(scroll, tr("Analyses"));
   return tabs;
 }
@@ -208,6 +212,7 @@ QWidget* ShotLineDialog::makeRunPage() {
   poses_->setAccessibleName(tr("Poses"));
   poses_->setTextElideMode(Qt::ElideMiddle);
   poses_->setSpacing(1);
+  poses_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   poses_->setMinimumHeight(poses_->fontMetrics().height() * 6);
   label->setBuddy(poses_);
   connect(poses_, &QListWidget::itemChanged, this, [this] {
@@ -344,6 +349,7 @@ void ShotLineDialog::refreshSources() {
     sources_->addItem(shown(source.name));
   }
   sources_->setCurrentIndex(sources_->findText(shown(source_), Qt::MatchExactly | Qt::MatchCaseSensitive));
+  sources_->setToolTip(shown(source_));
   const bool any = !source_.empty();
   for (QWidget* widget :
        std::initializer_list<QWidget*>{sources_, duplicateSource_, removeSource_, renameSource_, sourceForm_}) {

@@ -73,6 +73,7 @@ QListWidget* makeNameList(PropertyForm& form, const char* id, const QString& lab
   list->setObjectName(QString::fromLatin1(id));
   list->setAccessibleName(label);
   list->setTextElideMode(Qt::ElideMiddle);
+  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list->setFixedHeight(form.fontMetrics().height() * 5);
   return list;
 }

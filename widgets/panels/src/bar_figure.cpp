@@ -23,6 +23,9 @@ constexpr int longestLabel = 22;     ///< average letters
 constexpr int linesOfASmallFigure = 18;
 constexpr double valuesShare = 0.5;  ///< of the height of a figure that its bars have at least
 
+/// Of the figure's height, what names that stand may take: QtCharts cuts off what is longer.
+constexpr double standingShare = 0.27;
+
 /// Labels of the axis: readable, at most so wide, all different.
 QStringList labelsOf(const std::vector<std::string>& names, const QFontMetricsF& metrics, double width) {
   QStringList labels;
@@ -221,7 +224,7 @@ void BarFigure::placeLabels() {
   const double room = 0.85 * size().width() / static_cast<double>(std::max<qsizetype>(1, labels.size()));
   const bool lying = widest + metrics.averageCharWidth() < room;
   if (!lying) {
-    labels = labelsOf(data_.categories, metrics, std::min(longest, (isSmall() ? 0.33 : 0.27) * size().height()));
+    labels = labelsOf(data_.categories, metrics, std::min(longest, standingShare * size().height()));
   }
   categories_->setLabelsAngle(lying ? 0 : -90);
   if (labels != categories_->categories()) {

@@ -57,8 +57,7 @@ void addGapRows(PropertyForm& form) {
   QWidget* share = form.number(
       {"gap_share", Text::tr("Open above"),
        Text::tr("A place is open when more than this share of the shots through it is unprotected")},
-      {0.0, 95.0, 5.0, 1, Text::tr(" % unprotected")},
-      [gaps] { return 100.0 * gaps().value_or(study::GapSettings()).openShare; },
+      {0.0, 95.0, 5.0, 1, Text::tr(" %")}, [gaps] { return 100.0 * gaps().value_or(study::GapSettings()).openShare; },
       [edit](double percent) { edit([=](study::GapSettings& wanted) { wanted.openShare = percent / 100.0; }); });
   QWidget* shots = form.number(
       {"gap_shots", Text::tr("Shots at least"), Text::tr("On a patch, and for a place to be judged")},

@@ -7,6 +7,8 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -15,6 +17,24 @@
 namespace lorica::panels {
 
 namespace {
+
+/// Cuts what it has no room for in the middle, where names differ least.
+class ElidedCombo : public QComboBox {
+ public:
+  using QComboBox::QComboBox;
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QStylePainter painter(this);
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    painter.drawComplexControl(QStyle::CC_ComboBox, option);
+    const QRect room =
+        style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this).adjusted(2, 0, -2, 0);
+    option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideMiddle, room.width());
+    painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+  }
+};
 
 class KeyWatch : public QObject {
  public:
@@ -60,7 +80,7 @@ QWidget* makeEmptyPage(const QString& text, QWidget* parent) {
 }
 
 QComboBox* makeChoice(const QString& tip, QWidget* parent) {
-  auto* combo = new QComboBox(parent);
+  auto* combo = new ElidedCombo(parent);
   combo->setToolTip(tip);
   combo->setAccessibleName(tip);
   combo->setSizeAdjustPolicy(QComboBox::AdjustToContents);

@@ -26,6 +26,12 @@ namespace lorica::panels {
 using document::ItemRef;
 using models::ResultsModel;
 
+namespace {
+
+constexpr int longestName = 20;  ///< average characters of a column of names when a run is first shown
+
+}  // namespace
+
 ResultsPanel::ResultsPanel(document::StudyDocument& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
@@ -133,14 +139,15 @@ QWidget* ResultsPanel::makeTable() {
   table_->setObjectName(QStringLiteral("results"));
   table_->setModel(filter_);
   table_->setSortingEnabled(true);
+  table_->setTextElideMode(Qt::ElideMiddle);
   QHeaderView* header = table_->horizontalHeader();
   header->setSortIndicatorClearable(true);
   header->setSectionsMovable(true);
   // What one looks for comes first: which structure, in which circumstances, how well covered. Counts and what seldom
   // differs follow.
   using Model = ResultsModel;
-  static constexpr std::array first{Model::systemColumn,      Model::modelColumn,     Model::poseColumn,
-                                    Model::structureColumn,   Model::coverageColumn,  Model::lowColumn,
+  static constexpr std::array first{Model::structureColumn,   Model::systemColumn,    Model::modelColumn,
+                                    Model::poseColumn,        Model::coverageColumn,  Model::lowColumn,
                                     Model::highColumn,        Model::anyColumn,       Model::protectedColumn,
                                     Model::unprotectedColumn, Model::ofBodyHitsColumn};
   for (std::size_t place = 0; place < first.size(); ++place) {
@@ -201,6 +208,11 @@ void ResultsPanel::showRun(const Record& run) {
     refillFilters();
     if (first && run != nullptr) {
       table_->resizeColumnsToContents();
+      // Long names must not push the coverage out of sight; they are cut in the middle and whole in the tooltip.
+      const int most = longestName * table_->fontMetrics().averageCharWidth();
+      for (int column = 0; column < ResultsModel::shotsColumn; ++column) {
+        table_->setColumnWidth(column, std::min(most, table_->columnWidth(column)));
+      }
     }
     Q_EMIT runShown(run);
   }
@@ -305,7 +317,8 @@ void ResultsPanel::takeSelection() {
   QItemSelection rows;
   QModelIndex first;
   for (int row = 0; wanted && row < filter_->rowCount(); ++row) {
-    const QModelIndex index = filter_->index(row, 0);
+    // A column that is hidden cannot be scrolled to.
+    const QModelIndex index = filter_->index(row, ResultsModel::structureColumn);
     const QVariant item = index.data(ResultsModel::itemRole);
     if (item.isValid() && item.value<ItemRef>() == *wanted) {
       rows.select(index, index);

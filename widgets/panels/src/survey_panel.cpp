@@ -47,6 +47,7 @@ SurveyPanel::SurveyPanel(QWidget* parent) : QWidget(parent), pages_(new QStacked
   auto* ask = new QWidget(this);
   auto* column = new QVBoxLayout(ask);
   words_ = new QLabel(ask);
+  words_->setObjectName(QStringLiteral("survey_words"));
   words_->setWordWrap(true);
   words_->setAlignment(Qt::AlignCenter);
   words_->setTextFormat(Qt::PlainText);
