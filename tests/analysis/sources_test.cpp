@@ -104,6 +104,7 @@ TEST(Sources, AListIsReadWithTheStudyAndShotAsItStands) {
   EXPECT_EQ(row(rows, "listed", "body").shots, 3U) << "once: they are the same in every trial";
   EXPECT_EQ(row(rows, "listed", "body").count.any, 2U);
   EXPECT_FALSE(row(rows, "listed", "body").coverageInterval().has_value()) << "nothing was drawn at random";
+  EXPECT_EQ(checkFile(folder / "shots.csv", {}).front().text, "list of 3 shots");
   base::writeFileAtomically(folder / "shots.csv", "x,y,z,az,el\n0,1.25,5,0,zero\n");
   EXPECT_THROW(load(listed, folder / "a.lorica.json", {}, {}, reuse), base::InputError);
 }

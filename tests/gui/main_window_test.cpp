@@ -35,6 +35,7 @@
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/primitives.h"
 #include "lorica/io/export.h"
+#include "lorica/models/model_texts.h"
 #include "lorica/study/study_file.h"
 #include "welcome_page.h"
 
@@ -870,6 +871,11 @@ TEST_F(Window, AClickOnADrawnShotLooksIntoThatShotAsTheCommandLineDoes) {
     QStringList cells;
     for (int column = 0; column < 10; ++column) {
       cells.append(window_.shot().table().index(row, column).data().toString());
+    }
+    for (const models::ModelText& model : models::modelTexts()) {
+      if (cells[2] == model.label) {
+        cells[2] = QString::fromStdString(viscera::name(model.model));
+      }
     }
     const QString passage = cells.join(u' ').simplified();
     const QString gap = QString("%1 to %2 %3 mm gap").arg(cells[3], cells[4], cells[5]);

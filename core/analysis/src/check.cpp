@@ -7,6 +7,7 @@
 #include "lorica/analysis/loaded_study.h"
 #include "lorica/analysis/threats.h"
 #include "lorica/base/error.h"
+#include "lorica/base/files.h"
 #include "lorica/geometry/measures.h"
 #include "lorica/geometry/mesh_audit.h"
 #include "lorica/io/import.h"
@@ -107,6 +108,16 @@ base::Issues openStructures(const LoadedStudy& study) {
   return issues;
 }
 
+/// A table may be a list of shots or threat data.
+base::Issues checkCsv(const std::filesystem::path& path, const base::Progress& progress) {
+  const std::string bytes = base::readFile(path);
+  if (!shotline::isShotList(bytes)) {
+    return checkThreatFile(path, progress);
+  }
+  const shotline::ShotList list = shotline::readShotList(bytes, path.string());
+  return {{Severity::note, path.string(), "", fmt::format("list of {} shots", list.rays->size())}};
+}
+
 /// What sources are aimed at when the body is at rest.
 Aim restAim(const LoadedStudy& study) {
   const auto boxOf = [&study](const std::string& structure) {
@@ -168,7 +179,10 @@ base::Issues checkFile(const std::filesystem::path& path, base::Threads threads,
     if (isMotion(path)) {
       return checkMotion(path);
     }
-    return threat::isThreatFile(path) || path.extension() == ".csv" ? checkThreatFile(path, progress) : checkMesh(path);
+    if (path.extension() == ".csv") {
+      return checkCsv(path, progress);
+    }
+    return threat::isThreatFile(path) ? checkThreatFile(path, progress) : checkMesh(path);
   } catch (const base::InputError& error) {
     return {{Severity::error, error.file(), error.place(), error.text()}};
   }

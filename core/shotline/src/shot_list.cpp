@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
 
 #include "lorica/base/error.h"
 #include "lorica/base/units.h"
@@ -67,6 +68,17 @@ class Lines {
 constexpr std::array<std::string_view, 6> byDirection{"x", "y", "z", "dx", "dy", "dz"};
 constexpr std::array<std::string_view, 5> byAngles{"x", "y", "z", "az", "el"};
 
+/// The columns of a list of shots; none for those of something else.
+std::span<const std::string_view> columnsOf(const std::vector<std::string_view>& header) {
+  for (const std::span<const std::string_view> known :
+       {std::span<const std::string_view>(byDirection), std::span<const std::string_view>(byAngles)}) {
+    if (std::equal(header.begin(), header.end(), known.begin(), known.end())) {
+      return known;
+    }
+  }
+  return {};
+}
+
 double numberOf(const Lines& lines, std::string_view field, std::string_view column) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
@@ -105,11 +117,11 @@ ShotList readShotList(std::string_view csv, const std::string& name) {
     lines.fail("is empty; expected a line x,y,z,dx,dy,dz or x,y,z,az,el and a line for each shot");
   }
   const std::vector<std::string_view> header = fieldsOf(line);
-  const bool angles = std::equal(header.begin(), header.end(), byAngles.begin(), byAngles.end());
-  if (!angles && !std::equal(header.begin(), header.end(), byDirection.begin(), byDirection.end())) {
+  const std::size_t columns = columnsOf(header).size();
+  if (columns == 0) {
     lines.fail(fmt::format("expected the columns x,y,z,dx,dy,dz or x,y,z,az,el, found \"{}\"", line));
   }
-  const std::size_t columns = header.size();
+  const bool angles = columns == byAngles.size();
   auto rays = std::make_shared<std::vector<raycast::Ray>>();
   while (lines.next(line)) {
     const std::vector<std::string_view> fields = fieldsOf(line);
@@ -126,6 +138,13 @@ ShotList readShotList(std::string_view csv, const std::string& name) {
     lines.fail("holds no shots; expected a line for each after the names of the columns");
   }
   return {std::move(rays)};
+}
+
+bool isShotList(std::string_view csv) {
+  const std::string name;
+  Lines lines(csv, name);
+  std::string_view line;
+  return lines.next(line) && !columnsOf(fieldsOf(line)).empty();
 }
 
 }  // namespace lorica::shotline

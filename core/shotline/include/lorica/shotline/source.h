@@ -124,5 +124,7 @@ double solidAngle(double width, double height, double distance);
 /// line for each shot. A shot begins at x,y,z. \param name what errors call the text, as a file's path \throw
 /// base::InputError with the line of the first that cannot be used
 ShotList readShotList(std::string_view csv, const std::string& name);
+/// Whether a text begins as readShotList() wants it.
+bool isShotList(std::string_view csv);
 
 }  // namespace lorica::shotline
