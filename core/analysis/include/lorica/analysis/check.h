@@ -8,9 +8,9 @@
 
 namespace lorica::analysis {
 
-/// Audits a study (*.lorica.json, *.json) with everything it names, a single mesh, or threat data (VTK's files, .pvd, .csv): one issue per finding. What
-/// cannot be read at all is an issue of severity error, not an exception.
-/// \throw base::Cancelled
+/// Audits a study (*.lorica.json, *.json) with everything it names, a single mesh, or threat data (VTK's files, .pvd,
+/// .csv): one issue per finding. What cannot be read at all is an issue of severity error, not an exception. \throw
+/// base::Cancelled
 base::Issues checkFile(const std::filesystem::path& path, base::Threads threads, const base::Progress& progress = {});
 
 }  // namespace lorica::analysis
