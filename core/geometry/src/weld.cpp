@@ -39,7 +39,8 @@ class Bits {
 /// without seams few remain.
 template <class HashOf>
 std::vector<std::uint32_t> suspects(std::size_t vertices, const HashOf& hashOf) {
-  const std::size_t places = std::bit_ceil(16 * vertices + 1);
+  // No more than placeOf can number.
+  const std::size_t places = std::min(std::bit_ceil(16 * vertices + 1), std::size_t{1} << 32U);
   Bits seen(places);
   Bits seenTwice(places);
   std::vector<std::uint32_t> placeOf(vertices);

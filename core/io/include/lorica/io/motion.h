@@ -24,7 +24,7 @@ struct Motion {
 /// Reads a motion. Positions of a joint stand for its offset, rotations are applied in the order of the channels. A
 /// file whose skeleton reaches further along z than along y is taken to have z up unless `up` says otherwise. A first
 /// frame that shows how the recording was calibrated and from which the second one jumps is left out; frames keep their
-/// times. Cost: that of reading its numbers, a second for about ten million. Thread-safe. \throw base::InputError
+/// times. Cost: that of reading its numbers. Thread-safe. \throw base::InputError
 /// naming the file and the line
 Motion importMotion(const std::filesystem::path& path, std::optional<UpAxis> up = std::nullopt);
 /// The same of a file whose bytes were read already.

@@ -36,17 +36,17 @@ struct ReadField {
 };
 
 /// Reads by the ending of the name:
-/// - .csv, .txt, .tsv: a line of names, then a line per point; separated by commas, semicolons or tabs. Columns x, y,
-/// z,
-///   t (or time) if there are times, id (or fragment, fragment_id, track) if points belong together, all others are
-///   attributes. A name may carry its unit, as x_mm, "x (mm)" or x [mm]; NAME_x, NAME_y, NAME_z make one vector. Lines
-///   that begin with # are skipped. Rows may come in any order. Points that fill a lattice are read as one.
+/// - .csv, .txt, .tsv: a line of names, then a line per point; separated by commas, semicolons or tabs. Columns are
+///   x, y, z, t (or time) if there are times, id (or fragment, fragment_id, track) if points belong together, all
+///   others are attributes. A name may carry its unit, as x_mm, "x (mm)" or x [mm]; NAME_x, NAME_y, NAME_z make one
+///   vector. Lines that begin with # are skipped. Rows may come in any order. Points that fill a lattice are read as
+///   one.
 /// - .vti, .vtr, .vtp, .vtu, .vts, .vtk: point data; the cell data where there is no point data, at the middles of the
 ///   cells. Other grids than images and rectilinear ones are taken as scattered points.
 /// - .pvd: a collection of such files with their times. The files must agree in their attributes, and on their lattice.
 /// Every number is checked. \throw base::InputError with the line and column, array, or file of the series, what was
 ///        expected and what to do; base::Cancelled
-/// Cost: a CSV of 10 million points of 5 columns takes some seconds; memory: the file's bytes and twice the field.
+/// Cost: linear in the bytes of the file; memory: the file's bytes and twice the field.
 ReadField readThreat(const std::filesystem::path& path, const ReadOptions& options = {},
                      const base::Progress& progress = {});
 
